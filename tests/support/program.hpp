@@ -3,8 +3,10 @@
 // Runs the programs as their users do: with arguments, for an exit code and text.
 #pragma once
 
+#include "tests/support/contains.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <functional>
@@ -46,6 +48,18 @@ Outcome run(const std::vector<std::string>& arguments);
 
 // The same of build/mirocup with these arguments.
 Outcome run_mirocup(std::vector<std::string> arguments);
+
+// Expects this exit code and a part of the standard error, and says what the program wrote if it did
+// otherwise.
+inline Outcome expect_exit(int code, Outcome outcome, const std::string& said = "",
+                           const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+  if (outcome.exit_code != code || !contains(outcome.err, said)) {
+    ADD_FAILURE_AT(file, line) << "exit code " << outcome.exit_code << " instead of " << code
+                               << ", or not said: " << said << '\n'
+                               << outcome.out << outcome.err;
+  }
+  return outcome;
+}
 
 // Waits until a condition holds that depends on another process. Returns false after two
 // minutes, so that a test fails with a message instead of running into its own time limit.

@@ -61,7 +61,7 @@ void expect_rejected(const std::string& library, const std::string& first_failed
   EXPECT_EQ(examined.report["accepted"], false);
   const std::string reason = examined.report["reason"].get<std::string>();
   EXPECT_EQ(reason.rfind(first_failed + ": ", 0), 0u) << reason;
-  EXPECT_NE(reason.find(text), std::string::npos) << reason;
+  EXPECT_TRUE(contains(reason, text));
   // All checks before the failed one passed, and none was run after it.
   bool has_failed = false;
   for (const Json& one : examined.report["checks"]) {
@@ -119,7 +119,7 @@ TEST(Check, TellsFilesThatAreNoTeamsApart) {
   const Outcome compiled = run_mirocup({"compile", folder / "team.zip", "-o", folder / "team.so"});
   if (!why_no_t2().empty()) return;
   EXPECT_EQ(compiled.exit_code, 1);
-  EXPECT_NE(compiled.out.find("RAR archive"), std::string::npos) << compiled.out;
+  EXPECT_TRUE(contains(compiled.out, "RAR archive"));
 }
 
 // Catches an answer without its four parts, and a check that does not tell the score.
@@ -139,15 +139,15 @@ TEST(Check, TellsTheScoreAndTheFourPartsOfAnAnswer) {
   EXPECT_EQ(played.report["notes"].dump(), "[]");
   const Examined laddered = check(program("house/chaser.so"), {"--ladder"}, "60");
   EXPECT_EQ(laddered.report["ladder"].size(), 14u);
-  EXPECT_NE(laddered.report["strength"].dump().find("as strong as `"), std::string::npos);
+  EXPECT_TRUE(contains(laddered.report["strength"].dump(), "as strong as `"));
   const Outcome text = run_mirocup({"check", program("house/striker.so"), "--half", "2"});
-  EXPECT_NE(text.out.find(" against striker as yellow"), std::string::npos) << text.out;
+  EXPECT_TRUE(contains(text.out, " against striker as yellow"));
   const Examined crashed = check(hostile("crash_segv"));
-  EXPECT_NE(crashed.report["where"].get<std::string>().find("ticks, tick "), std::string::npos);
-  EXPECT_NE(crashed.report["cure"].get<std::string>().find("gdb"), std::string::npos);
+  EXPECT_TRUE(contains(crashed.report["where"].get<std::string>(), "ticks, tick "));
+  EXPECT_TRUE(contains(crashed.report["cure"].get<std::string>(), "gdb"));
   const Outcome refused = run_mirocup({"check", hostile("crash_segv")});
   for (const char* part : {"\nwhat:  ", "\nwhere: ticks", "\ndo:    ", "\nplays: "})
-    EXPECT_NE(refused.out.find(part), std::string::npos) << refused.out;
+    EXPECT_TRUE(contains(refused.out, part));
 }
 
 // Each time, although both legs are played in the same second.
@@ -160,9 +160,7 @@ TEST(Check, AcceptsATeamThatMeasuresTime) {
 }
 
 TEST(Check, ReportsAnErrorForAMissingFile) {
-  const Outcome outcome = run_mirocup({"check", "/no/such/file.so"});
-  EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_NE(outcome.err.find("/no/such/file.so"), std::string::npos);
+  expect_exit(3, run_mirocup({"check", "/no/such/file.so"}), "/no/such/file.so");
 }
 
 }  // namespace

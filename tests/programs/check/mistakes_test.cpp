@@ -13,7 +13,7 @@ namespace mirocup {
 namespace {
 
 using check_test::Mistake;
-using test_support::program;
+using namespace test_support;
 using Json = nlohmann::ordered_json;
 
 struct Answer {
@@ -23,8 +23,8 @@ struct Answer {
 
 Answer check_team_with(Mistake mistake, const char* half = "20") {
   const auto outcome =
-      test_support::run_mirocup({"check", program("teams/mistakes.so"), "--half", half, "--param",
-                                 "mistake=" + std::to_string(static_cast<int>(mistake)), "--json"});
+      run_mirocup({"check", program("teams/mistakes.so"), "--half", half, "--param",
+                   "mistake=" + std::to_string(static_cast<int>(mistake)), "--json"});
   return {outcome.exit_code, Json::parse(outcome.out, nullptr, false)};
 }
 
@@ -85,8 +85,8 @@ TEST_P(Mistakes, AreRefusedWithTheirReason) {
   EXPECT_EQ(reason.rfind("\"" + std::string(expected.check), 0), 0u) << reason;
   // In T1 the number of a team's process differs from leg to leg, so the check cannot tell it from
   // other chance.
-  if (expected.mistake == Mistake::seed_of_process && !test_support::why_no_t2().empty()) return;
-  for (const char* text : expected.texts) EXPECT_NE(reason.find(text), std::string::npos) << reason;
+  if (expected.mistake == Mistake::seed_of_process && !why_no_t2().empty()) return;
+  for (const char* text : expected.texts) EXPECT_TRUE(contains(reason, text));
 }
 
 // 6 ms of processor time for each tick, in a leg that gives 1 ms and something.
@@ -96,7 +96,7 @@ TEST(Check, RefusesATeamThatWouldLoseEachLegByItsBudget) {
   const std::string reason = examined.report["reason"].get<std::string>();
   EXPECT_EQ(reason.rfind("budget: a leg with halves of 10 s would take ", 0), 0u) << reason;
   for (const char* text : {"of processor time", "1 ms"}) {
-    EXPECT_NE(reason.find(text), std::string::npos) << reason;
+    EXPECT_TRUE(contains(reason, text));
   }
   EXPECT_GT(examined.report["timing"]["leg_share"], 1.25);
 }
@@ -157,21 +157,20 @@ TEST_P(HarmlessTeams, AreAccepted) {
   if (*GetParam().warning == '\0') {
     EXPECT_EQ(warnings, "[]");
   } else {
-    EXPECT_NE(warnings.find(GetParam().warning), std::string::npos) << warnings;
+    EXPECT_TRUE(contains(warnings, GetParam().warning));
   }
 }
 
 // Catches --trusted that dies of a team without a word.
 TEST(Trusted, TellsWhichTeamCrashedWhere) {
-  const auto outcome = test_support::run_mirocup(
-      {"match", "--trusted", "--blue", "idle", "--yellow", program("teams/mistakes.so"), "--half",
-       "60", "--yellow-param",
-       "mistake=" + std::to_string(static_cast<int>(Mistake::null_pointer_late))});
+  const auto outcome =
+      run_mirocup({"match", "--trusted", "--blue", "idle", "--yellow", program("teams/mistakes.so"),
+                   "--half", "60", "--yellow-param",
+                   "mistake=" + std::to_string(static_cast<int>(Mistake::null_pointer_late))});
   EXPECT_EQ(outcome.exit_code, 128 + 11);
-  EXPECT_NE(outcome.err.find("the yellow team crashed in this process, in decide() of tick 901, by "
-                             "Segmentation fault"),
-            std::string::npos)
-      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err,
+                       "the yellow team crashed in this process, in decide() of tick 901, by "
+                       "Segmentation fault"));
 }
 
 }  // namespace

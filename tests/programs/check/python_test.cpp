@@ -56,9 +56,8 @@ TEST_F(PythonTeams, PlayTheSameLegInEachSandboxAndWithoutOne) {
     std::vector<std::string> words{program("mirocup"), "match",  "--blue", path,    "--yellow",
                                    "chaser",           "--half", "10",     "--hash"};
     words.insert(words.end(), how.begin(), how.end());
-    const Outcome outcome = run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("full_time"), std::string::npos) << outcome.out;
+    const Outcome outcome = expect_exit(0, run(words));
+    EXPECT_TRUE(contains(outcome.out, "full_time"));
     if (first.empty()) first = outcome.out;
     EXPECT_EQ(outcome.out, first);
   }
@@ -71,14 +70,12 @@ TEST_F(PythonTeams, PlayAsWindowsWritesThem) {
     text.insert(at, "\r");
   const Outcome outcome = run_mirocup(
       {"match", "--blue", file("\xef\xbb\xbf" + text), "--yellow", "idle", "--half", "1"});
-  EXPECT_NE(outcome.out.find("full_time"), std::string::npos) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "full_time")) << outcome.err;
 }
 
 TEST_F(PythonTeams, AreToldWhatTheFileLacks) {
-  const Outcome outcome = run_mirocup({"match", "--blue", file("x = 1\n"), "--yellow", "idle"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("\"from mirocup.team import Team\""), std::string::npos)
-      << outcome.err;
+  expect_exit(2, run_mirocup({"match", "--blue", file("x = 1\n"), "--yellow", "idle"}),
+              "\"from mirocup.team import Team\"");
 }
 
 TEST_F(PythonTeams, AreAcceptedWithTheirParametersAndPlaces) {
@@ -131,9 +128,8 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
     const PythonJson report = check(mistake.text, 1);
     const std::string reason = report.value("reason", "");
     EXPECT_EQ(reason.substr(0, reason.find(':')), mistake.check) << mistake.text << reason;
-    for (const char* part : mistake.said)
-      EXPECT_NE(reason.find(part), std::string::npos) << part << " in: " << reason;
-    EXPECT_EQ(reason.find("gdb"), std::string::npos) << reason;
+    for (const char* part : mistake.said) EXPECT_TRUE(contains(reason, part));
+    EXPECT_FALSE(contains(reason, "gdb"));
   }
 }
 
@@ -163,7 +159,7 @@ TEST_F(PythonTeams, AreWarned) {
         "change placement.robots", "robot 2 hardly ever got a command", "rad/s",
         "wheels = keep_laws(", "the index -1 of a robot counts from the last one",
         "robot 1 the heading 90", "the name of the team is 5"})
-    EXPECT_NE(notes.find(part), std::string::npos) << part << " in " << notes;
+    EXPECT_TRUE(contains(notes, part));
 }
 
 // Catches a league that keeps or starts a team in Python as a library.
@@ -172,13 +168,12 @@ TEST_F(PythonTeams, PlayInALeague) {
   const std::string path = file(team_that("return [(5, 5)] * now.robots"));
   const auto mirocup = [](std::vector<std::string> words) {
     words.insert(words.begin(), {program("mirocup"), "league"});
-    const Outcome outcome = run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    const Outcome outcome = expect_exit(0, run(words));
     return outcome.out;
   };
   mirocup({"init", league, "--team", "snake=" + path, "--team", "rock=house:idle", "--half", "2"});
   mirocup({"start", league});
-  EXPECT_NE(mirocup({"status", league}).find("snake"), std::string::npos);
+  EXPECT_TRUE(contains(mirocup({"status", league}), "snake"));
 }
 
 // Catches a template that does not pass its own test, or whose scripts cannot be run.
@@ -186,12 +181,11 @@ TEST_F(PythonTeams, BeginFromATemplateThatPassesItsTest) {
   const std::string made = folder_ / "mein Team";
   EXPECT_EQ(run_mirocup({"new", made, "--language", "python"}).exit_code, 0);
   // The script itself, with fewer tries and shorter legs.
-  const Outcome outcome = run(
-      {"/bin/sh", "-ec",
-       "cd \"$0\"; [ -x test ] && [ -x watch ] && [ -x debug ]; sed -i 's/--tries 20 --at-least 15/"
-       "--tries 1/; s/check team.py/& --half 4/' test; ./test",
-       made});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run({"/bin/sh", "-ec",
+                      "cd \"$0\"; [ -x test ] && [ -x watch ] && [ -x debug ]; "
+                      "sed -i 's/--tries 20 --at-least 15/--tries 1/; s/check team.py/& --half 4/' "
+                      "test; ./test",
+                      made}));
 }
 
 }  // namespace

@@ -16,9 +16,8 @@ using namespace test_support;
 class Credentials : public testing::Test {
  protected:
   void SetUp() override {
-    const Outcome made = run_mirocup(
-        {"league", "credentials", folder_ / "league", "--team", "remote", "--team", "other"});
-    ASSERT_EQ(made.exit_code, 0) << made.err;
+    expect_exit(0, run_mirocup({"league", "credentials", folder_ / "league", "--team", "remote",
+                                "--team", "other"}));
   }
 
   std::string of(const std::string& whose) const {
@@ -63,7 +62,7 @@ TEST_F(Credentials, LetTheTeamPlayAndNobodyElse) {
   for (const std::string whose : {"teams/other", "spectator"}) {
     const Outcome refused = run({program("dds/intruder"), "imitate", id, "remote", of(whose)});
     EXPECT_EQ(refused.exit_code, 1) << whose;
-    EXPECT_NE(refused.err.find("the credentials do not allow"), std::string::npos) << refused.err;
+    EXPECT_TRUE(contains(refused.err, "the credentials do not allow"));
   }
   // Another team with permissions that it has signed itself (CVE-2023-24011).
   const std::string forged = folder_ / "forged";
@@ -76,8 +75,7 @@ TEST_F(Credentials, LetTheTeamPlayAndNobodyElse) {
                      " -signer certificate.pem -inkey key.pem"})
                 .exit_code,
             0);
-  const Outcome forger = run({program("dds/intruder"), "imitate", id, "remote", forged});
-  EXPECT_EQ(forger.exit_code, 1) << forger.err;
+  expect_exit(1, run({program("dds/intruder"), "imitate", id, "remote", forged}));
   // An intruder without credentials, and a forger with a certificate authority of its own.
   Running plain({program("dds/intruder"), "imitate", id, "remote"});
   std::filesystem::copy_file(forged + "/certificate.pem", forged + "/permissions_ca.pem",
@@ -108,15 +106,13 @@ TEST_F(Credentials, DetectForgedPackets) {
 
 TEST_F(Credentials, RevokedOnesAreRefused) {
   std::filesystem::copy(of("teams/remote"), folder_ / "kept");  // the team keeps its copy
-  const Outcome revoked =
-      run_mirocup({"league", "credentials", folder_ / "league", "--revoke", "remote"});
-  ASSERT_EQ(revoked.exit_code, 0) << revoked.err;
+  expect_exit(0, run_mirocup({"league", "credentials", folder_ / "league", "--revoke", "remote"}));
   const std::string id = match_id("revoked");
   Running remote(join(id, folder_ / "kept"));
   run_until_said("revoked", [&](const std::string& limit) { return run(match(id, limit)); });
   const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "start_timeout");
-  EXPECT_NE(fault["text"].get<std::string>().find("revoked"), std::string::npos) << fault;
+  EXPECT_TRUE(contains(fault["text"].get<std::string>(), "revoked")) << fault;
 }
 
 // The team's own side refuses expired credentials by its clock. If the team turns its clock back,
@@ -128,30 +124,26 @@ TEST_F(Credentials, ExpiredOnesAreRefused) {
                            std::vector<std::string>{"--team", "remote", "--days", "1"}}) {
     std::vector<std::string> make{program("mirocup"), "league", "credentials", league};
     make.insert(make.end(), more.begin(), more.end());
-    const Outcome made = run(behind(then, make));
-    ASSERT_EQ(made.exit_code, 0) << made.err;
+    expect_exit(0, run(behind(then, make)));
   }
   const std::string own = league + "/credentials/teams/remote";
-  const Outcome honest = run(join("x", own));
-  EXPECT_EQ(honest.exit_code, 3);
-  EXPECT_NE(honest.err.find("expired"), std::string::npos) << honest.err;
+  expect_exit(3, run(join("x", own)), "expired");
 
   const std::string id = match_id("expired");
   Running turned_back(behind(then - 1, join(id, own)));
-  const Outcome played = run_until_said(
-      "expired", [&](const std::string& limit) { return run(match(id, limit, league)); });
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run_until_said("expired", [&](const std::string& limit) {
+                return run(match(id, limit, league));
+              }));
   const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "start_timeout");
-  EXPECT_NE(fault["text"].get<std::string>().find("expired"), std::string::npos) << fault;
+  EXPECT_TRUE(contains(fault["text"].get<std::string>(), "expired")) << fault;
 }
 
 // New credentials are valid at once on a computer whose clock is behind.
 TEST_F(Credentials, AreValidOnAComputerWhoseClockIsBehind) {
   const std::string id = match_id("behind");
   Running remote(behind(1, join(id, of("teams/remote"))));
-  const Outcome played = run(match(id));
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run(match(id)));
   const auto record = read_json(folder_ / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
 }
@@ -159,9 +151,8 @@ TEST_F(Credentials, AreValidOnAComputerWhoseClockIsBehind) {
 // The leg may last longer than the certificate. Catches a team that vanishes in the middle of it,
 // of which nobody learns why.
 TEST_F(Credentials, ThatExpireBeforeTheLatestEndAreRefused) {
-  const Outcome made = run(behind(22, {program("mirocup"), "league", "credentials",
-                                       folder_ / "league", "--team", "remote2", "--days", "1"}));
-  ASSERT_EQ(made.exit_code, 0) << made.err;
+  expect_exit(0, run(behind(22, {program("mirocup"), "league", "credentials", folder_ / "league",
+                                 "--team", "remote2", "--days", "1"})));
   for (const std::string colour : {"blue", "yellow"}) {
     const std::string other = colour == "blue" ? "yellow" : "blue";
     const std::string id = match_id("expiring-" + colour);
@@ -169,12 +160,9 @@ TEST_F(Credentials, ThatExpireBeforeTheLatestEndAreRefused) {
                  "--match", id, "--credentials", of("server"), "--half", "30000"});
     auto arguments = test_support::join(id, colour, "remote2", "striker");
     arguments.insert(arguments.end(), {"--credentials", of("teams/remote2")});
-    const Outcome joined = run(arguments);
-    EXPECT_EQ(joined.exit_code, 3);
-    EXPECT_NE(joined.err.find("warning: the credentials in"), std::string::npos) << joined.err;
-    EXPECT_NE(joined.err.find("refuses the team: the team's credentials are valid until 20"),
-              std::string::npos)
-        << joined.err;
+    const Outcome joined = expect_exit(3, run(arguments), "warning: the credentials in");
+    EXPECT_TRUE(
+        contains(joined.err, "refuses the team: the team's credentials are valid until 20"));
     EXPECT_TRUE(has_said(leg, "credentials are valid until 20")) << leg.err();
   }
   // A leg that is over in time is played.
@@ -209,11 +197,9 @@ TEST_F(Credentials, OfAnotherTeamAreRefused) {
   for (const std::string whose : {"teams/other", "spectator", "server"}) {
     const Outcome other = run(join("x", of(whose)));
     EXPECT_EQ(other.exit_code, 2) << whose;
-    EXPECT_NE(other.err.find("somebody else's"), std::string::npos) << other.err;
+    EXPECT_TRUE(contains(other.err, "somebody else's"));
   }
-  const Outcome none = run(join("x", folder_ / "nothing"));
-  EXPECT_EQ(none.exit_code, 2);
-  EXPECT_NE(none.err.find("identity_ca.pem is not there"), std::string::npos) << none.err;
+  expect_exit(2, run(join("x", folder_ / "nothing")), "identity_ca.pem is not there");
 }
 
 }  // namespace

@@ -19,10 +19,8 @@ TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
   const TemporaryFolder folder;
   const std::string id = match_id("same");
   Running remote(join(id, "blue", "remote", "striker"));
-  const Outcome over_dds =
-      run_mirocup({"match", "--blue", "dds:remote", "--yellow", "chaser", "--half", "30", "--match",
-                   id, "--record", folder / "dds.json"});
-  ASSERT_EQ(over_dds.exit_code, 0) << over_dds.err;
+  expect_exit(0, run_mirocup({"match", "--blue", "dds:remote", "--yellow", "chaser", "--half", "30",
+                              "--match", id, "--record", folder / "dds.json"}));
   EXPECT_EQ(remote.wait().exit_code, 0);
   run_mirocup({"match", "--blue", "striker", "--yellow", "chaser", "--half", "30", "--record",
                folder / "so.json"});
@@ -54,8 +52,7 @@ TEST(DdsTeam, PlaysFromBehindARouterThatTranslatesAddresses) {
     std::vector<std::string> through = words;
     through.insert(through.end(), {"--nat", "--open", "--blue", "dds:remote", "--match", id,
                                    "--away-limit", "60", "--record", folder / "dds.json"});
-    const Outcome played = run_mirocup(through);
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    expect_exit(0, run_mirocup(through));
     EXPECT_EQ(remote.wait().exit_code, 0);
     const auto record = read_json(folder / "dds.json");
     EXPECT_EQ(record["state_hash"], read_json(folder / "so.json")["state_hash"]) << i;
@@ -67,9 +64,8 @@ TEST(DdsTeam, PlaysFromBehindARouterThatTranslatesAddresses) {
   Running remote(on_bad_network(join(id, "blue", "remote", "striker"), {"BAD_NETWORK_NAT=0"}));
   const Outcome without = run_mirocup({"match", "--yellow", "chaser", "--half", "1", "--blue",
                                        "dds:remote", "--match", id, "--join-within", "6"});
-  EXPECT_NE(without.out.find("a participant was seen, but no connection to it came about"),
-            std::string::npos)
-      << without.out << without.err;
+  EXPECT_TRUE(contains(without.out, "a participant was seen, but no connection to it came about"))
+      << without.err;
   EXPECT_TRUE(has_said(remote, "behind a router the match needs --nat")) << remote.err();
 }
 
@@ -113,8 +109,7 @@ void expect_long_wires_play(bool is_secure) {
     };
     Running blue(team("blue", "one"));
     Running yellow(team("yellow", "two"));
-    const Outcome played = leg.wait();
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    const Outcome played = expect_exit(0, leg.wait());
     const auto record = read_json(folder / "dds.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"];
     std::cout << ms << " ms, loss " << loss << ", speed " << speed << ": " << record["ticks"]
@@ -126,9 +121,7 @@ void expect_long_wires_play(bool is_secure) {
       if (ms != "20" || speed == "max") continue;
       EXPECT_GT(network["late_driven"], 0) << network;
       EXPECT_LE(network["late_driven"], record["budget"][colour]["late_ticks"]);
-      EXPECT_NE(played.err.find("too late; the robots drive the last command that came"),
-                std::string::npos)
-          << played.err;
+      EXPECT_TRUE(contains(played.err, "too late; the robots drive the last command that came"));
     }
     std::cout << '\n';
     if (speed != "max") continue;
@@ -150,13 +143,10 @@ TEST(DdsTeam, GetsItsParametersFromItsOwnCommandLine) {
   auto words = join(id, "yellow", "far", program("teams/tuned.so"));
   words.insert(words.end(), {"--param", "speed=8.5", "--param", "spede=1"});
   Running remote(words);
-  const Outcome played =
-      run_mirocup({"match", "--blue", "idle", "--yellow", "dds:far", "--half", "2", "--match", id});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  const Outcome far = remote.wait();
-  EXPECT_EQ(far.exit_code, 0);
-  EXPECT_NE(far.err.find("team 1 turns at 8.5"), std::string::npos) << far.err;
-  EXPECT_NE(far.err.find("did not ask for the parameter spede"), std::string::npos) << far.err;
+  expect_exit(0, run_mirocup({"match", "--blue", "idle", "--yellow", "dds:far", "--half", "2",
+                              "--match", id}));
+  const Outcome far = expect_exit(0, remote.wait(), "team 1 turns at 8.5");
+  EXPECT_TRUE(contains(far.err, "did not ask for the parameter spede"));
 }
 
 // Plays with each team at either end. Catches poses that get lost on the network, that are
@@ -190,10 +180,9 @@ TEST(DdsTeam, PlaysOnFromATickOfARecord) {
                 .exit_code,
             0);
   Running remote(join(id, "blue", "remote", "keeper"));
-  const Outcome over_dds = run_mirocup({"match", "--blue", "dds:remote", "--yellow", "keeper",
-                                        "--from", folder / "leg.json", "--tick", "50", "--match",
-                                        id, "--record", folder / "on.json"});
-  ASSERT_EQ(over_dds.exit_code, 0) << over_dds.err;
+  expect_exit(0, run_mirocup({"match", "--blue", "dds:remote", "--yellow", "keeper", "--from",
+                              folder / "leg.json", "--tick", "50", "--match", id, "--record",
+                              folder / "on.json"}));
   EXPECT_EQ(remote.wait().exit_code, 0);
   EXPECT_EQ(read_json(folder / "on.json")["result"]["end"], "full_time");
   EXPECT_EQ(run_mirocup({"verify", folder / "on.json"}).exit_code, 0);
@@ -204,11 +193,10 @@ TEST(DdsTeam, PlaysOnFromATickOfARecord) {
 TEST(DdsTeam, LosesWhenItDoesNotCome) {
   const TemporaryFolder folder;
   for (const std::string interface : {"lo", "127.0.0.1"}) {
-    const Outcome played =
-        run_mirocup({"match", "--blue", "dds:nobody", "--yellow", "dds:noone", "--half", "5",
-                     "--match", match_id("empty"), "--interface", interface, "--join-within", "1",
-                     "--record", folder / "leg.json"});
-    EXPECT_EQ(played.exit_code, 0) << played.err;
+    const Outcome played = expect_exit(
+        0, run_mirocup({"match", "--blue", "dds:nobody", "--yellow", "dds:noone", "--half", "5",
+                        "--match", match_id("empty"), "--interface", interface, "--join-within",
+                        "1", "--record", folder / "leg.json"}));
     const auto result = read_json(folder / "leg.json")["result"];
     EXPECT_EQ(result["end"], "double_forfeit");
     const bool is_lo = interface == "lo";
@@ -217,7 +205,7 @@ TEST(DdsTeam, LosesWhenItDoesNotCome) {
               : "this host's firewalls must let in UDP to ports 7410-7429 of 127.0.0.1";
     for (const auto& fault : result["faults"]) {
       EXPECT_EQ(fault["code"], "start_timeout");
-      EXPECT_NE(fault["text"].get<std::string>().find(told), std::string::npos) << fault;
+      EXPECT_TRUE(contains(fault["text"].get<std::string>(), told)) << fault;
     }
     EXPECT_EQ(played.err.find("can be joined from this computer only") != std::string::npos, is_lo);
   }
@@ -243,13 +231,14 @@ TEST(DdsTeam, IsToldThatItsNameIsNotExpected) {
   Running match({program("mirocup"), "match", "--blue", "dds:expected", "--yellow", "idle",
                  "--half", "5", "--match", id, "--join-within", "60"});
   const std::string reason = "does not expect a team called \"stranger\"";
-  const Outcome stranger = run_until_said(reason, [&id](const std::string& patience) {
-    auto arguments = join(id, "blue", "stranger", "idle");
-    arguments.insert(arguments.end(), {"--patience", patience});
-    return run(arguments);
-  });
-  EXPECT_EQ(stranger.exit_code, 3);
-  EXPECT_NE(stranger.err.find(reason), std::string::npos) << stranger.err;
+  expect_exit(3,
+              run_until_said(reason,
+                             [&id](const std::string& patience) {
+                               auto arguments = join(id, "blue", "stranger", "idle");
+                               arguments.insert(arguments.end(), {"--patience", patience});
+                               return run(arguments);
+                             }),
+              reason);
 }
 
 // Each side reacts to Ctrl-C while it waits for the other.

@@ -44,8 +44,7 @@ TEST(DdsHostile, PlaysTheSameLegAfterAStormOfChangedPackets) {
   const double peak = peak_memory(leg.pid());
   EXPECT_LT(peak, 64.0) << "MB";
   RecordProperty("peak_mb", std::to_string(peak));
-  const Outcome played = leg.wait();
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const Outcome played = expect_exit(0, leg.wait());
   EXPECT_LT(played.err.size(), 2000U);  // hostile packets cannot make the log long
   run_mirocup({"match", "--blue", "striker", "--yellow", "keeper", "--half", "5", "--record",
                folder / "so.json"});
@@ -61,13 +60,11 @@ TEST(DdsHostile, PlaysOnAfterAForgedPacketHasMadeTheServerDeaf) {
   Running leg({program("mirocup"), "match", "--blue", "dds:remote", "--yellow", "keeper", "--half",
                "5", "--match", id, "--record", folder / "leg.json"});
   Running remote(on_bad_network(join(id, "blue", "remote", "striker"), {"BAD_NETWORK_JUMP=100"}));
-  const Outcome played = leg.wait();
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const Outcome played = expect_exit(0, leg.wait());
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump() << played.err;
   EXPECT_EQ(record["network"]["blue"]["processes"], 1);
-  EXPECT_NE(played.err.find("the team's process has joined the network anew"), std::string::npos)
-      << played.err;
+  EXPECT_TRUE(contains(played.err, "the team's process has joined the network anew"));
   EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
 }
 
@@ -76,10 +73,8 @@ TEST(DdsHostile, DrivesNonFiniteNumbersAsZero) {
   const TemporaryFolder folder;
   const std::string id = match_id("nan");
   Running remote(join(id, "blue", "remote", program("teams/nonsense.so")));
-  const Outcome played =
-      run_mirocup({"match", "--blue", "dds:remote", "--yellow", "keeper", "--half", "2", "--match",
-                   id, "--record", folder / "leg.json"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run_mirocup({"match", "--blue", "dds:remote", "--yellow", "keeper", "--half", "2",
+                              "--match", id, "--record", folder / "leg.json"}));
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time");
   EXPECT_EQ(record["budget"]["blue"]["bad_commands"], record["ticks"]);

@@ -20,8 +20,8 @@ TEST(PitchExample, IsDrivenByTheProgramThatPlaysAgainstTheSimulator) {
   const auto control_program = join(id, "blue", "remote", "chaser");
 
   Running on_the_pitch(control_program);
-  const Outcome pitch = run({program("examples/pitch"), "--wait", id, "2", "remote"});
-  EXPECT_EQ(pitch.exit_code, 0) << pitch.err;
+  const Outcome pitch =
+      expect_exit(0, run({program("examples/pitch"), "--wait", id, "2", "remote"}));
   EXPECT_EQ(on_the_pitch.wait().exit_code, 0);
   std::istringstream said(pitch.out);
   std::string the, ball, is, at;
@@ -30,9 +30,8 @@ TEST(PitchExample, IsDrivenByTheProgramThatPlaysAgainstTheSimulator) {
   EXPECT_GT(x, 0.1) << pitch.out;  // it lay in the middle
 
   Running in_the_simulator(control_program);
-  const Outcome match = run_mirocup(
-      {"match", "--blue", "dds:remote", "--yellow", "idle", "--half", "1", "--match", id});
-  EXPECT_EQ(match.exit_code, 0) << match.err;
+  expect_exit(0, run_mirocup({"match", "--blue", "dds:remote", "--yellow", "idle", "--half", "1",
+                              "--match", id}));
   EXPECT_EQ(in_the_simulator.wait().exit_code, 0);
 }
 

@@ -47,10 +47,9 @@ TEST(Protocol, ASampleThatCannotBeReadIsNoSilence) {
   Running server(match(id, {"--join-within", "4"}));
   Running other({program("dds/intruder"), "unreadable", id, "ours"});
   const Outcome played = server.wait();
-  EXPECT_NE(played.out.find("the team joined but did not answer"), std::string::npos) << played.out;
-  EXPECT_NE(played.out.find("a sample of TeamCommand came that could not be read"),
-            std::string::npos)
-      << played.out << played.err;
+  EXPECT_TRUE(contains(played.out, "the team joined but did not answer"));
+  EXPECT_TRUE(contains(played.out, "a sample of TeamCommand came that could not be read"))
+      << played.err;
 }
 
 // Catches a team that looks for a firewall because its program is newer than the server.
@@ -58,13 +57,14 @@ TEST(Protocol, ATeamNamesTheVersionOfItsServer) {
   const std::string id = match_id("former-server");
   Running server({program("dds/intruder"), "other", id, "ours"});
   const std::string reason = "its server sends mirocup::v2::WorldState";
-  const Outcome team = run_until_said(reason, [&](const std::string& patience) {
-    auto arguments = join(id, "blue", "ours", "idle");
-    arguments.insert(arguments.end(), {"--patience", patience});
-    return run(arguments);
-  });
-  EXPECT_EQ(team.exit_code, 3);
-  EXPECT_NE(team.err.find(reason), std::string::npos) << team.err;
+  expect_exit(3,
+              run_until_said(reason,
+                             [&](const std::string& patience) {
+                               auto arguments = join(id, "blue", "ours", "idle");
+                               arguments.insert(arguments.end(), {"--patience", patience});
+                               return run(arguments);
+                             }),
+              reason);
 }
 
 // Catches facts that only the teams are told.
@@ -92,9 +92,7 @@ TEST(Protocol, AMatchMayHaveADomainOfItsOwn) {
   ASSERT_TRUE(is_there(server));
   auto elsewhere = join(id, "blue", "ours", "idle");
   elsewhere.insert(elsewhere.end(), {"--patience", "1"});
-  const Outcome lost = run(elsewhere);
-  EXPECT_EQ(lost.exit_code, 3);
-  EXPECT_NE(lost.err.find("no match server answered"), std::string::npos) << lost.err;
+  expect_exit(3, run(elsewhere), "no match server answered");
   auto here = join(id, "blue", "ours", "idle");
   here.insert(here.end(), {"--dds-domain", "7"});
   EXPECT_EQ(run(here).exit_code, 0);
@@ -122,9 +120,7 @@ TEST(Protocol, ALeagueCanBePlayedBesideRos) {
   if (!is_on_own_host()) GTEST_SKIP() << "other tests need the ports of this computer";
   const auto taken = take_ports();
   if (taken.empty()) GTEST_SKIP() << "something else has these ports";
-  const Outcome in_domain_0 = run(match(match_id("no-port")));
-  EXPECT_EQ(in_domain_0.exit_code, 3);
-  EXPECT_NE(in_domain_0.err.find("in DDS domain 0"), std::string::npos) << in_domain_0.err;
+  expect_exit(3, run(match(match_id("no-port"))), "in DDS domain 0");
 
   const TemporaryFolder temporary;
   const std::string folder = temporary / "league";
@@ -133,8 +129,7 @@ TEST(Protocol, ALeagueCanBePlayedBesideRos) {
       "rules": {"half_s": 2}, "teams": [{"name": "near", "entry": "house:idle"},
       {"name": "far", "entry": "house:keeper", "dds": true}]})");
   ASSERT_EQ(run_mirocup({"league", "init", folder, "--config", config}).exit_code, 0);
-  const Outcome played = run_mirocup({"league", "start", folder, "--dds-domain", "9"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run_mirocup({"league", "start", folder, "--dds-domain", "9"}));
   const Outcome status = run_mirocup({"league", "status", folder, "--json"});
   EXPECT_EQ(nlohmann::json::parse(status.out)["played"], 2) << status.out;
 }

@@ -16,12 +16,10 @@ TEST(PythonTeam, PlaysAFullLeg) {
   Running team({"/usr/bin/env", "MIROCUP_TEAM_LIBRARY=" + program("libmirocup_team.so"),
                 "PYTHONDONTWRITEBYTECODE=1", "python3", "-S",
                 MIROCUP_SOURCE_FOLDER "/examples/python/chaser.py", id, "blue", "snake"});
-  const Outcome played =
-      run_mirocup({"match", "--blue", "dds:snake", "--yellow", "idle", "--league", "large",
-                   "--half", "20", "--match", id, "--record", folder / "leg.json"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  const Outcome python = team.wait();
-  EXPECT_EQ(python.exit_code, 0) << python.err;
+  expect_exit(0,
+              run_mirocup({"match", "--blue", "dds:snake", "--yellow", "idle", "--league", "large",
+                           "--half", "20", "--match", id, "--record", folder / "leg.json"}));
+  expect_exit(0, team.wait());
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
   EXPECT_GT(record["result"]["score"]["blue"],
@@ -43,18 +41,16 @@ TEST(PythonTeam, SaysWhereItStands) {
   Running team({"/usr/bin/env", "MIROCUP_TEAM_LIBRARY=" + program("libmirocup_team.so"),
                 "PYTHONDONTWRITEBYTECODE=1", "PYTHONPATH=" MIROCUP_SOURCE_FOLDER "/examples/python",
                 "python3", "-c", script});
-  const Outcome played = run_mirocup({"match", "--blue", "dds:snake", "--yellow", "idle", "--half",
-                                      "1", "--match", id, "--record", folder / "leg.json"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
-  const Outcome python = team.wait();
-  EXPECT_EQ(python.exit_code, 0) << python.err;
+  expect_exit(0, run_mirocup({"match", "--blue", "dds:snake", "--yellow", "idle", "--half", "1",
+                              "--match", id, "--record", folder / "leg.json"}));
+  expect_exit(0, team.wait());
   const auto record = read_json(folder / "leg.json");
   int fixed = 0;
   for (const auto& d : record["decisions"]) {
     if (d["decision"] != "PLACEMENT_FIXED") continue;
     ++fixed;
     EXPECT_EQ(d["team"], "blue");
-    EXPECT_NE(d["reason"].get<std::string>().find("robot 2"), std::string::npos) << d;
+    EXPECT_TRUE(contains(d["reason"].get<std::string>(), "robot 2")) << d;
   }
   EXPECT_EQ(fixed, 2) << "one for each kick-off";
 }
@@ -71,15 +67,13 @@ TEST(PythonTeam, JoinsWithoutAProgramOfItsOwn) {
              "    def decide(self, now):\n"
              "        return [drive_to(self.setup, r, ball(now)) for r in now.own]\n");
   const auto play = [&](const std::string& blue, const char* record) {
-    const Outcome played = run_mirocup({"match", "--blue", blue, "--yellow", "idle", "--half", "3",
-                                        "--match", id, "--record", folder / record});
-    EXPECT_EQ(played.exit_code, 0) << played.err;
+    expect_exit(0, run_mirocup({"match", "--blue", blue, "--yellow", "idle", "--half", "3",
+                                "--match", id, "--record", folder / record}));
     return read_json(folder / record)["state_hash"];
   };
   Running remote(join(id, "blue", "snake", folder / "team.py"));
   const auto on_network = play("dds:snake", "dds.json");
-  const Outcome joined = remote.wait();
-  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  expect_exit(0, remote.wait());
   EXPECT_EQ(on_network, play(folder / "team.py", "py.json"));
 }
 

@@ -32,10 +32,9 @@ TEST(Ros2, ANodeWithDefaultQosWatchesAMatch) {
   EXPECT_EQ(run(team).exit_code, 0);
   EXPECT_EQ(match.wait().exit_code, 0);
   EXPECT_EQ(bridge.wait().exit_code, 0);
-  const Outcome seen = node.wait();
-  EXPECT_EQ(seen.exit_code, 0);
-  EXPECT_NE(seen.out.find(" 6 robots, ball "), std::string::npos) << seen.out;
-  EXPECT_NE(seen.out.find("MATCH_END full_time 0:0"), std::string::npos) << seen.out;
+  const Outcome seen = expect_exit(0, node.wait());
+  EXPECT_TRUE(contains(seen.out, " 6 robots, ball "));
+  EXPECT_TRUE(contains(seen.out, "MATCH_END full_time 0:0"));
   EXPECT_GT(std::stoi(seen.out), 100) << seen.out;
 }
 

@@ -65,10 +65,8 @@ TEST(DdsSession, RefusesASecondServerWithTheSameId) {
   const std::string id = match_id("twice");
   Running leg(match(id, folder / "leg.json", {"--half", "5"}));
   ASSERT_TRUE(is_there(leg));
-  const Outcome second = run(match(id, folder / "second.json", {"--half", "5"}));
-  EXPECT_EQ(second.exit_code, 3);
-  EXPECT_NE(second.err.find("is already played by another match server"), std::string::npos)
-      << second.err;
+  expect_exit(3, run(match(id, folder / "second.json", {"--half", "5"})),
+              "is already played by another match server");
   Running remote(join(id, "blue", "remote", "striker"));
   EXPECT_EQ(leg.wait().exit_code, 0);
   EXPECT_EQ(remote.wait().exit_code, 0);
@@ -93,8 +91,7 @@ TEST(DdsSession, IsVoidWhenTheHostsNetworkIsDown) {
     EXPECT_EQ(played.exit_code, 5) << played.err;
     const auto record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "void");
-    EXPECT_NE(record["result"]["why_void"].get<std::string>().find("interface lo was down"),
-              std::string::npos);
+    EXPECT_TRUE(contains(record["result"]["why_void"].get<std::string>(), "interface lo was down"));
   }
 }
 
@@ -147,8 +144,7 @@ void expect_no_winner(int signal, const std::string& first, const std::string& s
   ASSERT_TRUE(has_said(yellow, "tick 2")) << yellow.err();
   (first == "blue" ? blue : yellow).signal(signal);
   (first == "blue" ? yellow : blue).signal(signal);
-  const Outcome played = leg.wait();
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const Outcome played = expect_exit(0, leg.wait());
   const auto result = read_json(folder / "leg.json")["result"];
   EXPECT_EQ(result["end"], "double_forfeit") << result << played.err;
   EXPECT_TRUE(result["winner"].is_null());
@@ -268,14 +264,15 @@ TEST(DdsSession, KeepsTheSeatForTheProcessThatPlays) {
   Running first(join(id, "blue", "remote", "striker"));
   ASSERT_TRUE(has_said(first, "remote plays blue"));
   const std::string reason = "another process of the team is playing";
-  const Outcome second = run_until_said(reason, [&id](const std::string& patience) {
-    auto arguments = join(id, "blue", "remote", "chaser");
-    arguments.insert(arguments.end(), {"--patience", patience});
-    return run(arguments);
-  });
-  EXPECT_EQ(second.exit_code, 3);
-  EXPECT_NE(second.err.find(reason), std::string::npos) << second.err;
-  EXPECT_EQ(leg.err().find("takes the team's seat"), std::string::npos) << leg.err();
+  expect_exit(3,
+              run_until_said(reason,
+                             [&id](const std::string& patience) {
+                               auto arguments = join(id, "blue", "remote", "chaser");
+                               arguments.insert(arguments.end(), {"--patience", patience});
+                               return run(arguments);
+                             }),
+              reason);
+  EXPECT_FALSE(contains(leg.err(), "takes the team's seat"));
 }
 
 // A leg with an intruder is that without one. In open mode every process can read a team's nonce

@@ -79,10 +79,9 @@ TEST(Firasim, InLockstepTheSameSeedIsTheSameLeg) {
       const TemporaryFolder folder;
       Running team(python_team(colour));
       const bool is_blue = colour == "blue";
-      const Outcome played =
-          match(is_blue ? "firasim:py" : "idle", is_blue ? "idle" : "firasim:py",
-                folder / "leg.json", {"--lockstep", "--half", "15", "--rule", "ready_s=0.33"});
-      ASSERT_EQ(played.exit_code, 0) << played.err;
+      expect_exit(
+          0, match(is_blue ? "firasim:py" : "idle", is_blue ? "idle" : "firasim:py",
+                   folder / "leg.json", {"--lockstep", "--half", "15", "--rule", "ready_s=0.33"}));
       EXPECT_EQ(team.wait().exit_code, 0);
       const Json record = read_json(folder / "leg.json");
       EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
@@ -106,12 +105,10 @@ TEST(Firasim, ClientsWithProtobufPlayEachOther) {
   const TemporaryFolder folder;
   Running blue({program("firasim_client"), "blue", instance()});
   Running yellow({program("firasim_client"), "yellow", instance()});
-  const Outcome played =
-      match("firasim:one", "firasim:two", folder / "leg.json", {"--lockstep", "--half", "8"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(
+      0, match("firasim:one", "firasim:two", folder / "leg.json", {"--lockstep", "--half", "8"}));
   for (Running* client : {&blue, &yellow}) {
-    const Outcome ended = client->wait();
-    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    expect_exit(0, client->wait());
   }
   const Json record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
@@ -133,12 +130,10 @@ TEST(Firasim, ABusyClientPlaysTheSameLeg) {
   for (const char* way : {"waits", "busy"}) {
     const TemporaryFolder folder;
     Running client({program("firasim_client"), "yellow", instance(), way});
-    const Outcome played =
-        match("idle", "firasim:two", folder / "leg.json",
-              {"--lockstep", "--half", "4", "--rule", "ready_s=0.33", "--away-limit", "60"});
-    ASSERT_EQ(played.exit_code, 0) << played.err;
-    const Outcome ended = client.wait();
-    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    expect_exit(
+        0, match("idle", "firasim:two", folder / "leg.json",
+                 {"--lockstep", "--half", "4", "--rule", "ready_s=0.33", "--away-limit", "60"}));
+    expect_exit(0, client.wait());
     const Json record = read_json(folder / "leg.json");
     EXPECT_EQ(record["network"]["yellow"]["in_step"], record["ticks"]);
     EXPECT_TRUE(hash.empty() || record["state_hash"] == hash) << way;
@@ -150,9 +145,8 @@ TEST(Firasim, ABusyClientPlaysTheSameLeg) {
 TEST(Firasim, PlaysByTheClock) {
   const TemporaryFolder folder;
   Running team(python_team("yellow", {"--no-echo"}));
-  const Outcome played = match("idle", "firasim:py", folder / "leg.json",
-                               {"--speed", "8", "--half", "8", "--rule", "ready_s=0.33"});
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, match("idle", "firasim:py", folder / "leg.json",
+                       {"--speed", "8", "--half", "8", "--rule", "ready_s=0.33"}));
   const Json record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
   EXPECT_GT(record["pace"]["period"], 0.0);
@@ -178,10 +172,9 @@ TEST(Firasim, StrangersHaveNoEffect) {
                                         "1",
                                         flood};
     Running team(with_strangers ? with : python_team("blue"));
-    const Outcome played = match("firasim:py", "idle", folder / "leg.json",
-                                 {"--lockstep", "--half", wanted != nullptr ? "100" : "8", "--rule",
-                                  "ready_s=0.33", "--rule", "mercy_goal_diff=0"});
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    expect_exit(0, match("firasim:py", "idle", folder / "leg.json",
+                         {"--lockstep", "--half", wanted != nullptr ? "100" : "8", "--rule",
+                          "ready_s=0.33", "--rule", "mercy_goal_diff=0"}));
     const Json record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
     if (with_strangers) {
@@ -226,8 +219,7 @@ TEST(Firasim, LostAndDoubledPacketsHaveNoEffect) {
       options.insert(options.end(), {"--firasim-vision", "127.0.0.1:" + vision});
     }
     Running team(python_team("blue", ways));
-    const Outcome played = match("firasim:py", "idle", folder / "leg.json", options);
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    expect_exit(0, match("firasim:py", "idle", folder / "leg.json", options));
     const Json record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
     const Json& network = record["network"]["blue"];
@@ -249,8 +241,7 @@ TEST(Firasim, ATeamThatGoesHasLost) {
                "--away-limit", "1", "--speed", "1"});
   ASSERT_TRUE(wait_until([&] { return leg.err().find("is steered from") != std::string::npos; }));
   team.reset();  // kills it
-  const Outcome played = leg.wait();
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, leg.wait());
   const Json record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["end"], "forfeit");
   EXPECT_EQ(record["result"]["fault"]["code"], "disconnected");

@@ -26,8 +26,7 @@ void make_mixed_league(const std::string& folder, const Json& teams) {
                     {"firasim", {{"instance", std::stoi(instance_of_people())}}},
                     {"teams", teams}};
   write_file(folder + ".json", config.dump());
-  const Outcome made = run(league("init", folder, {"--config", folder + ".json"}));
-  ASSERT_EQ(made.exit_code, 0) << made.err;
+  expect_exit(0, run(league("init", folder, {"--config", folder + ".json"})));
 }
 
 // Returns how many seats of the records played over FIRASim, and verifies each record.
@@ -43,8 +42,7 @@ int firasim_seats(const std::string& folder) {
       EXPECT_EQ(record["network"][colour]["processes"], 1);
       EXPECT_EQ(record["network"][colour]["in_step"], record["ticks"]);
     }
-    const Outcome verified = run_mirocup({"verify", file.path()});
-    EXPECT_EQ(verified.exit_code, 0) << verified.out;
+    expect_exit(0, run_mirocup({"verify", file.path()}));
   }
   return seats;
 }
@@ -67,8 +65,7 @@ TEST(FirasimLeague, StartsProgramsBesideTeamsOfOtherKinds) {
                               {"folder", examples},
                               {"run", run_it},
                               {"lockstep", true}}});
-  const Outcome played = run(league("start", folder, {"--jobs", "3"}));
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run(league("start", folder, {"--jobs", "3"})));
   EXPECT_EQ(firasim_seats(folder), 12);
   const std::string journal = read_file(folder + "/journal.jsonl");
   EXPECT_EQ(run(league("start", folder)).exit_code, 0);
@@ -81,8 +78,7 @@ TEST(FirasimLeague, WaitsForProgramsThatPeopleStart) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "people";
   make_mixed_league(folder, {{{"name", "near"}, {"entry", "house:idle"}}});
-  const Outcome entered = run(league("submit", folder, {"far", "firasim:far", "--lockstep"}));
-  ASSERT_EQ(entered.exit_code, 0) << entered.err;
+  expect_exit(0, run(league("submit", folder, {"far", "firasim:far", "--lockstep"})));
   Running host(league("start", folder));
   for (int leg = 1; leg <= 2; ++leg) {
     ASSERT_TRUE(wait_until([&] {
@@ -96,8 +92,7 @@ TEST(FirasimLeague, WaitsForProgramsThatPeopleStart) {
                  "--instance", instance_of_people()});
     EXPECT_EQ(far.wait().exit_code, 0);
   }
-  const Outcome played = host.wait();
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, host.wait());
   EXPECT_EQ(firasim_seats(folder), 2);
   const Outcome late = run(league("submit", folder, {"far", "firasim:far"}));
   EXPECT_EQ(late.exit_code, 1) << "a league that has started changes no team";
@@ -112,16 +107,13 @@ TEST(FirasimLeague, TellsAProgramThatIsNotThereFromOneThatFails) {
                         "auto", "--blue-program", command, "--lockstep", "--record",
                         folder / "leg.json"});
   };
-  const Outcome missing = play("no-such-program-here");
-  EXPECT_EQ(missing.exit_code, 5) << missing.err << missing.out;
+  expect_exit(5, play("no-such-program-here"));
   EXPECT_EQ(play("exit 3").exit_code, 0);
   const Json record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["fault"]["code"], "crash");
-  EXPECT_NE(record["result"]["fault"]["text"].get<std::string>().find("ended with code 3"),
-            std::string::npos);
-  const Outcome wrong =
-      run_mirocup({"match", "--blue", "idle", "--yellow", "idle", "--blue-program", "true"});
-  EXPECT_EQ(wrong.exit_code, 2) << wrong.err;
+  EXPECT_TRUE(contains(record["result"]["fault"]["text"].get<std::string>(), "ended with code 3"));
+  expect_exit(
+      2, run_mirocup({"match", "--blue", "idle", "--yellow", "idle", "--blue-program", "true"}));
 }
 
 }  // namespace

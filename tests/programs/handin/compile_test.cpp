@@ -34,18 +34,15 @@ class Compile : public testing::Test {
 TEST_F(Compile, MakesALibraryThatIsAccepted) {
   const std::string template_source = temporary_ / "new";
   ASSERT_EQ(run_mirocup({"new", template_source}).exit_code, 0);
-  const Outcome done = compile(read_file(template_source + "/team.cpp"));
-  ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
-  const Outcome checked = run_mirocup({"check", library_, "--half", "20"});
-  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+  expect_exit(0, compile(read_file(template_source + "/team.cpp")));
+  expect_exit(0, run_mirocup({"check", library_, "--half", "20"}));
 }
 
 TEST_F(Compile, SaysWhatTheCompilerSays) {
-  const Outcome wrong = compile("int main() { return \x1b[31mundeclared; }");
-  EXPECT_EQ(wrong.exit_code, 1);
-  EXPECT_NE(wrong.out.find("error:"), std::string::npos) << wrong.out;
+  const Outcome wrong = expect_exit(1, compile("int main() { return \x1b[31mundeclared; }"));
+  EXPECT_TRUE(contains(wrong.out, "error:"));
   EXPECT_EQ(wrong.out.find('\x1b'), std::string::npos) << "text of a stranger is escaped";
-  EXPECT_NE(wrong.out.find("does not compile"), std::string::npos);
+  EXPECT_TRUE(contains(wrong.out, "does not compile"));
   EXPECT_EQ(compile("int x;\n", "-o.c").exit_code, 0) << "a name is no option";
   for (const auto& [source, told] : std::initializer_list<std::pair<const char*, const char*>>{
            {"#include <Eigen/Dense>\n", "an archive's files"},
@@ -55,7 +52,7 @@ TEST_F(Compile, SaysWhatTheCompilerSays) {
             "at line 2; the log has the compiler's words: w"},
            {"int\xc2\xa0x;\n", "only looks like a blank"}}) {
     const Outcome outcome = compile(source);
-    EXPECT_NE(outcome.out.find(told), std::string::npos) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, told));
   }
 }
 
@@ -71,17 +68,15 @@ TEST_F(Compile, MakesALibraryOfTheProjectOfANewTeam) {
   ASSERT_EQ(run({"/usr/bin/tar", "-czf", temporary_ / "-o.tar.gz", "-C", temporary_ / ".", "new"})
                 .exit_code,
             0);
-  const Outcome done = run_mirocup({"compile", temporary_ / "-o.tar.gz", "-o", library_});
-  ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
-  const Outcome checked = run_mirocup({"check", library_, "--half", "2"});
-  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+  expect_exit(0, run_mirocup({"compile", temporary_ / "-o.tar.gz", "-o", library_}));
+  expect_exit(0, run_mirocup({"check", library_, "--half", "2"}));
   write_file(folder + "/src/more.c", "int more(void) { return undeclared; }\n");
   ASSERT_EQ(
       run({"/usr/bin/tar", "-cf", temporary_ / "bad.tar", "-C", temporary_ / ".", "new"}).exit_code,
       0);
-  const Outcome wrong = run_mirocup({"compile", temporary_ / "bad.tar", "-o", library_});
-  EXPECT_EQ(wrong.exit_code, 1);
-  EXPECT_NE(wrong.out.find("src/more.c:1:"), std::string::npos) << wrong.out;
+  const Outcome wrong =
+      expect_exit(1, run_mirocup({"compile", temporary_ / "bad.tar", "-o", library_}));
+  EXPECT_TRUE(contains(wrong.out, "src/more.c:1:"));
 }
 
 // Catches a source that chooses its processor itself, of which nobody hears, and a warning of a
@@ -90,9 +85,8 @@ TEST_F(Compile, WarnsOfTargets) {
   const std::string plain =
       "struct Point { double x; };\nstatic double target(const char* name) { return *name; }\n"
       "// __attribute__((target(\"avx2\")))\ndouble all() { return target(\"avx2\"); }\n";
-  const Outcome none = compile(plain);
-  EXPECT_EQ(none.exit_code, 0) << none.out;
-  EXPECT_EQ(none.out.find("warning"), std::string::npos) << none.out;
+  const Outcome none = expect_exit(0, compile(plain));
+  EXPECT_FALSE(contains(none.out, "warning"));
   for (const char* line :
        {"#pragma GCC target(\"avx512f\")", "#pragma GCC target \"avx2\"",
         "_Pragma(\"GCC target(\\\"avx2\\\")\")",
@@ -102,9 +96,7 @@ TEST_F(Compile, WarnsOfTargets) {
         "__attribute__((target_clones(\"avx512f\", \"default\"))) int f() { return 1; }"}) {
     const Outcome warned = compile(plain + line + "\n");
     EXPECT_EQ(warned.exit_code, 0) << line << '\n' << warned.out;
-    EXPECT_NE(warned.out.find("warning: a pragma or an attribute"), std::string::npos)
-        << line << '\n'
-        << warned.out;
+    EXPECT_TRUE(contains(warned.out, "warning: a pragma or an attribute")) << line;
   }
   fs::create_directories(temporary_ / "new");
   write_file(temporary_ / "new/fast.h", "#pragma GCC target(\"avx2\")\n");
@@ -113,9 +105,9 @@ TEST_F(Compile, WarnsOfTargets) {
   ASSERT_EQ(
       run({"/usr/bin/tar", "-cf", temporary_ / "new.tar", "-C", temporary_ / ".", "new"}).exit_code,
       0);
-  const Outcome project = run_mirocup({"compile", temporary_ / "new.tar", "-o", library_});
-  EXPECT_EQ(project.exit_code, 0) << project.out;
-  EXPECT_NE(project.out.find("x86-64-v3, which end the team"), std::string::npos) << project.out;
+  const Outcome project =
+      expect_exit(0, run_mirocup({"compile", temporary_ / "new.tar", "-o", library_}));
+  EXPECT_TRUE(contains(project.out, "x86-64-v3, which end the team"));
 }
 
 }  // namespace

@@ -32,15 +32,13 @@ class HandIn : public testing::Test {
   HandIn() { init_league(folder_, {"alpha=house:chaser", "beta=house:keeper"}); }
 
   std::string new_token(const std::string& team) {
-    const Outcome made = run(league("token", folder_, {team}));
-    EXPECT_EQ(made.exit_code, 0) << made.err;
+    const Outcome made = expect_exit(0, run(league("token", folder_, {team})));
     write_file(temporary_ / (team + ".token"), made.out);
     return made.out.substr(0, made.out.find('\n'));
   }
 
   std::string staff_token() {
-    const Outcome made = run(league("token", folder_, {"--staff"}));
-    EXPECT_EQ(made.exit_code, 0) << made.err;
+    const Outcome made = expect_exit(0, run(league("token", folder_, {"--staff"})));
     return made.out.substr(0, made.out.find('\n'));
   }
 
@@ -105,32 +103,27 @@ TEST_F(HandIn, TellsTheVerdictByOneCommand) {
   new_token("alpha");
   new_token("gamma");
   serve();
-  const Outcome accepted = hand_in("alpha", house("striker"));
-  EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
-  EXPECT_NE(accepted.out.find("alpha: entry 2 was accepted"), std::string::npos) << accepted.out;
-  EXPECT_NE(accepted.out.find(" against striker as yellow"), std::string::npos) << accepted.out;
+  const Outcome accepted = expect_exit(0, hand_in("alpha", house("striker")));
+  EXPECT_TRUE(contains(accepted.out, "alpha: entry 2 was accepted"));
+  EXPECT_TRUE(contains(accepted.out, " against striker as yellow"));
   EXPECT_EQ(read_file(folder_ + "/entries/alpha/2/strategy.so"), read_file(house("striker")));
   EXPECT_EQ(ask("GET", "/favicon.ico").status, 200) << "each page of a browser asks for it";
   // A team with a token joins with its first good entry.
-  const Outcome joined = hand_in("gamma", house("navigator"), {"--json"});
-  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  const Outcome joined = expect_exit(0, hand_in("gamma", house("navigator"), {"--json"}));
   EXPECT_EQ(ordered_json::parse(joined.out)["state"], "accepted");
-  EXPECT_NE(read_file(folder_ + "/league.json").find("\"gamma\""), std::string::npos);
-  EXPECT_EQ(joined.out.find(folder_), std::string::npos) << "no path of the host is told";
+  EXPECT_TRUE(contains(read_file(folder_ + "/league.json"), "\"gamma\""));
+  EXPECT_FALSE(contains(joined.out, folder_)) << "no path of the host is told";
 
   write_file(temporary_ / "bad.so", "no library");
-  const Outcome refused = hand_in("alpha", temporary_ / "bad.so");
-  EXPECT_EQ(refused.exit_code, 1) << refused.err;
-  EXPECT_NE(refused.out.find("entry 2 plays on"), std::string::npos) << refused.out;
-  EXPECT_EQ(read_file(folder_ + "/entries/alpha/3/verdict.json").find(folder_), std::string::npos);
+  const Outcome refused = expect_exit(1, hand_in("alpha", temporary_ / "bad.so"));
+  EXPECT_TRUE(contains(refused.out, "entry 2 plays on"));
+  EXPECT_FALSE(contains(read_file(folder_ + "/entries/alpha/3/verdict.json"), folder_));
 
   write_file(temporary_ / "wrong.token", std::string(26, 'A'));
   EXPECT_EQ(hand_in("wrong", house("striker")).exit_code, 2);
   EXPECT_EQ(hand_in("nobody", house("striker")).exit_code, 3) << "no file of a token";
   EXPECT_EQ(run(league("token", folder_, {"alpha", "--revoke"})).exit_code, 0);
-  const Outcome revoked = hand_in("alpha", house("idle"));
-  EXPECT_EQ(revoked.exit_code, 2);
-  EXPECT_NE(revoked.err.find("was revoked"), std::string::npos) << revoked.err;
+  expect_exit(2, hand_in("alpha", house("idle")), "was revoked");
   server_->signal(SIGTERM);
   EXPECT_EQ(server_->wait().exit_code, 0);
   EXPECT_EQ(hand_in("gamma", house("idle")).exit_code, 3) << "no server";
@@ -149,32 +142,28 @@ TEST_F(HandIn, KeepsWhatComesAfterTheDeadlineForTheHostToDecide) {
   const std::string alpha = new_token("alpha");
   ASSERT_EQ(run(league("freeze", folder_, {"--reason", "last day"})).exit_code, 0);
   serve();
-  const Outcome late = hand_in("alpha", house("striker"));
-  EXPECT_EQ(late.exit_code, 0) << late.err;
-  EXPECT_NE(late.out.find("the host decides about it"), std::string::npos) << late.out;
+  const Outcome late = expect_exit(0, hand_in("alpha", house("striker")));
+  EXPECT_TRUE(contains(late.out, "the host decides about it"));
   const auto entries = [&] { return run(league("status", folder_, {"--entries"})).out; };
-  EXPECT_NE(entries().find("entry 1 will play\n"), std::string::npos) << entries();
-  EXPECT_NE(entries().find("entry 2 came after the deadline: the host decides about it\n"),
-            std::string::npos)
-      << "a digest says the same: " << entries();
+  EXPECT_TRUE(contains(entries(), "entry 1 will play\n"));
+  EXPECT_TRUE(contains(entries(), "entry 2 came after the deadline: the host decides about it\n"))
+      << "a digest says the same";
   EXPECT_EQ(run(league("take", folder_, {"alpha", "1"})).exit_code, 2) << "it came in time";
   EXPECT_EQ(hand_in("alpha", house("chaser")).exit_code, 0);
   EXPECT_EQ(read_file(folder_ + "/entries/alpha/2/strategy.so"), read_file(house("striker")))
       << "a later file has removed it";
-  EXPECT_NE(entries().find("entry 3 came after the deadline"), std::string::npos) << entries();
-  EXPECT_EQ(page("/hand-in", alpha).find("data-pin=\"3\""), std::string::npos);
-  EXPECT_NE(page("/hand-in", alpha).find("plays only if the host takes it"), std::string::npos);
-  EXPECT_NE(page("/hand-in", alpha).find("<p>The deadline was "), std::string::npos);
+  EXPECT_TRUE(contains(entries(), "entry 3 came after the deadline"));
+  EXPECT_FALSE(contains(page("/hand-in", alpha), "data-pin=\"3\""));
+  EXPECT_TRUE(contains(page("/hand-in", alpha), "plays only if the host takes it"));
+  EXPECT_TRUE(contains(page("/hand-in", alpha), "<p>The deadline was "));
   const std::string staff = staff_token();
-  EXPECT_NE(page("/hand-in?team=alpha", staff).find("hand-in/entries/3?team=alpha"),
-            std::string::npos);
-  EXPECT_NE(page("/hand-in/entries/3?team=alpha", staff).find("came after the deadline"),
-            std::string::npos);
+  EXPECT_TRUE(contains(page("/hand-in?team=alpha", staff), "hand-in/entries/3?team=alpha"));
+  EXPECT_TRUE(contains(page("/hand-in/entries/3?team=alpha", staff), "came after the deadline"));
   EXPECT_EQ(ask("GET", "/hand-in/entries/3", staff).status, 404) << "of no team";
   const Outcome taken = run(league("take", folder_, {"alpha", "2"}));
   EXPECT_EQ(taken.out, "alpha plays with entry 2\n") << taken.err;
-  EXPECT_NE(page("/hand-in/entries/2", alpha).find("; the host has taken it"), std::string::npos);
-  EXPECT_NE(entries().find("entry 2 will play\n"), std::string::npos) << entries();
+  EXPECT_TRUE(contains(page("/hand-in/entries/2", alpha), "; the host has taken it"));
+  EXPECT_TRUE(contains(entries(), "entry 2 will play\n"));
 }
 
 // Catches a deadline of a sheet that nobody is told, and a score that is not shown to its team, or
@@ -190,14 +179,13 @@ TEST_F(HandIn, ShowsDeadlinesAndScoresOfSheets) {
   serve();
   const std::string own = page("/hand-in", alpha);
   for (const char* text : {">2026-11-13 18:00 UTC<", ">2026-11-15 18:00 UTC<", ">83.5<", ">ball<"})
-    EXPECT_NE(own.find(text), std::string::npos) << text << own;
+    EXPECT_TRUE(contains(own, text)) << text;
   const std::string other = page("/hand-in", beta);
-  EXPECT_NE(other.find(">2026-12-01 18:00 UTC<"), std::string::npos) << other;
-  EXPECT_EQ(other.find("83.5"), std::string::npos) << other;
-  EXPECT_NE(page("/hand-in", staff_token())
-                .find("Sheet driving: until 2026-11-13 18:00 UTC, with "
-                      "grace until 2026-11-15 18:00 UTC; beta until "),
-            std::string::npos);
+  EXPECT_TRUE(contains(other, ">2026-12-01 18:00 UTC<"));
+  EXPECT_FALSE(contains(other, "83.5"));
+  EXPECT_TRUE(contains(page("/hand-in", staff_token()),
+                       "Sheet driving: until 2026-11-13 18:00 UTC, with "
+                       "grace until 2026-11-15 18:00 UTC; beta until "));
 }
 
 // A faculty shows each league below a path of its server: a link that begins with "/" leaves it. A
@@ -224,7 +212,7 @@ TEST_F(HandIn, LivesBelowAPath) {
       const web::Answer shown = ask("GET", below + path, token);
       EXPECT_EQ(shown.status, 200) << below + path;
       for (const char* link : {"href=\"/", "src=\"/", "action=\"/", "file\":\"/"})
-        EXPECT_EQ(shown.body.find(link), std::string::npos) << below + path << ": " << link;
+        EXPECT_FALSE(contains(shown.body, link)) << below + path << ": " << link;
     }
     EXPECT_EQ(ask("GET", below + "/hand-in/").status, 308) << "to /hand-in";
     for (const char* link : {"/../hand-in", "/../../hand-in.js"})
@@ -242,13 +230,12 @@ TEST_F(HandIn, BelievesNothingThatALibraryPrints) {
   const std::string liar = program("hostile/false_verdict.so");
   new_token("alpha");
   serve();
-  const Outcome refused = hand_in("alpha", liar, {"--json"});
-  EXPECT_EQ(refused.exit_code, 1) << refused.out << refused.err;
+  const Outcome refused = expect_exit(1, hand_in("alpha", liar, {"--json"}));
   const auto told = ordered_json::parse(refused.out);
   EXPECT_EQ(told["state"], "refused");
-  EXPECT_NE(told["message"].get<std::string>().find("(crash)"), std::string::npos) << told;
+  EXPECT_TRUE(contains(told["message"].get<std::string>(), "(crash)")) << told;
   EXPECT_EQ(told["plays"], "entry 1 plays on");
-  EXPECT_NE(told["log"].get<std::string>().find("it is good"), std::string::npos)
+  EXPECT_TRUE(contains(told["log"].get<std::string>(), "it is good"))
       << "the library has printed nothing: " << told;
   server_->signal(SIGTERM);
   EXPECT_EQ(server_->wait().exit_code, 0);
@@ -258,10 +245,9 @@ TEST_F(HandIn, BelievesNothingThatALibraryPrints) {
     EXPECT_EQ(ordered_json::parse(read_file(place + "/verdict.json"))["accepted"], false);
   }
 
-  const Outcome played =
-      run({program("mirocup"), "match", "--blue", liar, "--yellow", "idle", "--half", "1",
-           "--record", temporary_ / "leg.json", "--answer", temporary_ / "answer"});
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0,
+              run({program("mirocup"), "match", "--blue", liar, "--yellow", "idle", "--half", "1",
+                   "--record", temporary_ / "leg.json", "--answer", temporary_ / "answer"}));
   const auto result = ordered_json::parse(read_file(temporary_ / "leg.json"))["result"];
   EXPECT_EQ(result["fault"]["code"], "crash");
   EXPECT_EQ(result["winner"], "yellow");
@@ -277,11 +263,10 @@ TEST_F(HandIn, PlaysWithThePinnedVersion) {
         {"hand-in", url_, "--token-file", temporary_ / "alpha.token", "--pin", entry});
   };
   EXPECT_EQ(pin("7").exit_code, 2);
-  const Outcome pinned = pin("1");
-  EXPECT_EQ(pinned.exit_code, 0) << pinned.err;
+  const Outcome pinned = expect_exit(0, pin("1"));
   EXPECT_EQ(pinned.out, "entry 1 plays\n");
   const Outcome later = hand_in("alpha", house("navigator"));
-  EXPECT_NE(later.out.find("entry 1, which is pinned, plays on"), std::string::npos) << later.out;
+  EXPECT_TRUE(contains(later.out, "entry 1, which is pinned, plays on"));
   // The burst of the later entry waits for nobody, and the league starts with the pinned one.
   EXPECT_TRUE(wait_until([&] {
     return read_file(folder_ + "/hand-ins.jsonl").find("\"played\"") != std::string::npos;
@@ -293,9 +278,7 @@ TEST_F(HandIn, PlaysWithThePinnedVersion) {
     }
   }
   EXPECT_EQ(pin("2").exit_code, 2) << "the league has started";
-  const Outcome late = hand_in("alpha", house("striker"));
-  EXPECT_EQ(late.exit_code, 2);
-  EXPECT_NE(late.err.find("the league has started"), std::string::npos) << late.err;
+  expect_exit(2, hand_in("alpha", house("striker")), "the league has started");
 }
 
 // Each answer follows its act at once, and the page before it makes the caches fresh. Catches a
@@ -327,11 +310,10 @@ TEST_F(HandIn, ShowsInTheNextAnswerWhatItHasWritten) {
   }
   // A team joins by its check, and is an opponent as soon as it is told so.
   EXPECT_FALSE(shows("/", "gamma"));
-  EXPECT_EQ(opponents().find("gamma"), std::string::npos);
-  const Outcome joined = hand_in("gamma", house("navigator"));
-  ASSERT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_FALSE(contains(opponents(), "gamma"));
+  expect_exit(0, hand_in("gamma", house("navigator")));
   EXPECT_TRUE(shows("/", "gamma"));
-  EXPECT_NE(opponents().find("gamma"), std::string::npos);
+  EXPECT_TRUE(contains(opponents(), "gamma"));
 }
 
 // The data in a replay page.
@@ -399,19 +381,15 @@ TEST_F(HandIn, IsEncrypted) {
   new_token("alpha");
   serve({"--tls", certificate, key});
   EXPECT_EQ(url_.find("https://127.0.0.1:"), 0u);
-  const Outcome accepted = hand_in("alpha", house("striker"), {"--ca", certificate});
-  EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
+  expect_exit(0, hand_in("alpha", house("striker"), {"--ca", certificate}));
   EXPECT_EQ(hand_in("alpha", house("idle")).exit_code, 3) << "nobody has signed for this server";
   // More than once: the server writes why to a viewer that is gone, which must not end it.
   for (int i = 0; i < 30; ++i)
     EXPECT_EQ(ask("GET", "/").status, 0) << "without TLS there is no page";
   const auto browser = web::HttpClient::open(url_, {.authority = certificate});
-  EXPECT_NE(browser.value().ask("GET", "/hand-in").body.find("Token of your team"),
-            std::string::npos);
+  EXPECT_TRUE(contains(browser.value().ask("GET", "/hand-in").body, "Token of your team"));
 
-  const Outcome swapped = run(league("serve", folder_, {"--tls", key, certificate}));
-  EXPECT_EQ(swapped.exit_code, 2) << swapped.err;
-  EXPECT_NE(swapped.err.find("key.pem"), std::string::npos) << swapped.err;
+  expect_exit(2, run(league("serve", folder_, {"--tls", key, certificate})), "key.pem");
 }
 
 // A server that answers `mirocup hand-in` as it likes.
@@ -469,8 +447,7 @@ TEST(HandInAtAServerOfAnotherKind, IsAnsweredWithASentence) {
       const Outcome told = server.hand_in(words);
       EXPECT_EQ(told.exit_code, 3) << one << told.err;
       EXPECT_EQ(told.out, "") << one;
-      EXPECT_NE(told.err.find(" does not answer as a league: /"), std::string::npos)
-          << one << told.err;
+      EXPECT_TRUE(contains(told.err, " does not answer as a league: /")) << one;
     }
     body = right;
   };

@@ -24,8 +24,7 @@ Outcome compare(const std::vector<std::string>& more) {
 TEST(LeagueCompare, GoesOnWithTheLegsOfItsFolder) {
   const TemporaryFolder folder;
   const std::string kept = folder / "kept";
-  const Outcome some = compare({"chaser", "keeper", "--most", "2", "--keep", kept});
-  ASSERT_EQ(some.exit_code, 1) << some.err;
+  expect_exit(1, compare({"chaser", "keeper", "--most", "2", "--keep", kept}));
   const std::string leg = kept + "/1-2-1b.json";
   const auto before = fs::last_write_time(leg);
   fs::remove(kept + "/1-2-2a.json");
@@ -34,17 +33,14 @@ TEST(LeagueCompare, GoesOnWithTheLegsOfItsFolder) {
   EXPECT_TRUE(fs::exists(kept + "/1-2-2a.json"));
   EXPECT_EQ(more.out, compare({"chaser", "keeper", "--most", "4", "--jobs", "1"}).out);
 
-  const Outcome other = compare({"chaser", "keeper", "--seed", "2", "--keep", kept});
-  EXPECT_EQ(other.exit_code, 2);
-  EXPECT_NE(other.err.find("comparison.json: seed is 1, and not 2"), std::string::npos)
-      << other.err;
+  expect_exit(2, compare({"chaser", "keeper", "--seed", "2", "--keep", kept}),
+              "comparison.json: seed is 1, and not 2");
 }
 
 TEST(LeagueCompare, RatesEachAgainstEach) {
   const std::vector<std::string> teams{"idle", "keeper", "chaser", "--against",
                                        "all",  "--most", "2"};
-  const Outcome done = compare(teams);
-  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const Outcome done = expect_exit(0, compare(teams));
   const auto json = nlohmann::json::parse(done.out);
   ASSERT_EQ(json["comparisons"].size(), 3u);
   for (const auto& pair : json["comparisons"]) EXPECT_EQ(pair["fixtures"], 2);
@@ -56,9 +52,8 @@ TEST(LeagueCompare, RatesEachAgainstEach) {
 TEST(LeagueCompare, GivesATeamItsParameters) {
   const TemporaryFolder folder;
   const std::string kept = folder / "kept";
-  const Outcome done = compare({"chaser", "chaser:nosuch=1", "--most", "1", "--keep", kept});
-  ASSERT_EQ(done.exit_code, 1) << done.err;
-  EXPECT_NE(done.err.find("no team asked for the parameter nosuch"), std::string::npos) << done.err;
+  expect_exit(1, compare({"chaser", "chaser:nosuch=1", "--most", "1", "--keep", kept}),
+              "no team asked for the parameter nosuch");
   for (const auto& [leg, own, other] :
        {std::array{"a", "yellow", "blue"}, std::array{"b", "blue", "yellow"}}) {
     const auto teams = nlohmann::json::parse(read_file(kept + "/1-2-1" + leg + ".json"))["teams"];

@@ -22,8 +22,7 @@ TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
   const TemporaryFolder temporary;
   const std::string folder = temporary / "l";
   init_league(folder, {});
-  Outcome outcome = run(league("submit", folder, {"alpha", house("chaser")}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  Outcome outcome = expect_exit(0, run(league("submit", folder, {"alpha", house("chaser")})));
   EXPECT_EQ(outcome.out, "alpha: entry 1 was accepted\n");
 
   const std::string bad = temporary / "bad.so";
@@ -31,7 +30,7 @@ TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
   outcome = run(league("submit", folder, {"alpha", bad}));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.out.rfind("alpha: entry 2 was not accepted: complete: ", 0), 0u) << outcome.out;
-  EXPECT_NE(outcome.out.find("; entry 1 plays on\n"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "; entry 1 plays on\n"));
   EXPECT_EQ(read_file(folder + "/entries/alpha/2/strategy.so"), read_file(bad));
   EXPECT_EQ(read_json(folder + "/entries/alpha/2/verdict.json")["accepted"], false);
 
@@ -44,9 +43,8 @@ TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
 
   // The host sees who needs help without reading each verdict.
   EXPECT_EQ(run(league("submit", folder, {"still", house("idle")})).exit_code, 0);
-  EXPECT_NE(run(league("status", folder, {"--entries"}))
-                .out.find("\n    it never turned a wheel in play"),
-            std::string::npos);
+  EXPECT_TRUE(contains(run(league("status", folder, {"--entries"})).out,
+                       "\n    it never turned a wheel in play"));
 
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
   for (const auto& line : journal_of(folder)) {
@@ -56,7 +54,7 @@ TEST(Entries, AreStoredAndCheckedAndTheLastAcceptedOnePlays) {
   }
   outcome = run(league("submit", folder, {"alpha", house("striker")}));
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("entries are frozen"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "entries are frozen"));
 }
 
 TEST(Rulings, ArePublishedAndCount) {
@@ -112,9 +110,9 @@ TEST(Rulings, ArePublishedAndCount) {
   EXPECT_EQ(read_json(folder + "/records/r2-f1-2-2.json")["state_hash"],
             read_json(folder + "/records/r2-f1-2-1.json")["state_hash"]);
   const std::string page = read_file(folder + "/site/index.html");
-  EXPECT_NE(page.find("ruling: &lt;b&gt;glue&lt;/b&gt; (Host)"), std::string::npos);
-  EXPECT_NE(page.find("what was played before is void: cable fault"), std::string::npos);
-  EXPECT_NE(page.find(">7:6<"), std::string::npos);
+  EXPECT_TRUE(contains(page, "ruling: &lt;b&gt;glue&lt;/b&gt; (Host)"));
+  EXPECT_TRUE(contains(page, "what was played before is void: cable fault"));
+  EXPECT_TRUE(contains(page, ">7:6<"));
   const auto decisions = read_json(folder + "/site/decisions.json")["decisions"];
   ASSERT_EQ(decisions.size(), 4u);
   EXPECT_EQ(decisions[0]["by"], "Host");

@@ -57,8 +57,7 @@ class ForgedRecords : public testing::Test {
     setenv("XDG_STATE_HOME", (temporary_ / "state").c_str(), 1);
     init_league(folder_, {"a=house:chaser", "b=house:keeper", "c=house:striker", "d=house:idle"},
                 "2");
-    const Outcome plan = run(league("plan", folder_));
-    EXPECT_EQ(plan.exit_code, 0) << plan.err;
+    const Outcome plan = expect_exit(0, run(league("plan", folder_)));
     std::vector<std::string> shard{program("mirocup-league"), "run-shard", folder_};
     std::istringstream ids(plan.out);
     for (std::string id; ids >> id;) shard.push_back(id);
@@ -98,8 +97,7 @@ TEST_F(ForgedRecords, OfShardsAreVoidAndTheirLegsArePlayedAgain) {
   for (const auto& [name, change] : kinds) forge(record(name), change);
   const std::string untouched = read_file(record("r3-f2-2"));
 
-  const Outcome start = run(league("start", folder_));
-  EXPECT_EQ(start.exit_code, 1) << start.err;
+  const Outcome start = expect_exit(1, run(league("start", folder_)));
   std::set<std::string> voids;
   for (const auto& line : journal_of(folder_)) {
     if (line["kind"] != "void") continue;
@@ -109,15 +107,15 @@ TEST_F(ForgedRecords, OfShardsAreVoidAndTheirLegsArePlayedAgain) {
   EXPECT_EQ(voids.size(), kinds.size());
   for (const auto& [name, change] : kinds) {
     EXPECT_TRUE(voids.contains(name)) << name << '\n' << start.err;
-    EXPECT_NE(start.err.find("records/" + name + "-1.json"), std::string::npos) << start.err;
+    EXPECT_TRUE(contains(start.err, "records/" + name + "-1.json"));
     EXPECT_TRUE(fs::exists(record(name))) << name << " is evidence";
     EXPECT_EQ(run_mirocup({"verify", folder_ + "/records/" + name + "-2.json"}).exit_code, 0);
   }
-  EXPECT_NE(start.err.find("differs from tick "), std::string::npos) << start.err;
+  EXPECT_TRUE(contains(start.err, "differs from tick "));
   EXPECT_FALSE(fs::exists(folder_ + "/site/replays/r1-f1-1-1.html"));
   EXPECT_EQ(count_kind(folder_, "leg"), 12);
   EXPECT_EQ(read_file(record("r3-f2-2")), untouched) << "nobody has changed it";
-  EXPECT_EQ(read_file(folder_ + "/site/index.html").find("9:0"), std::string::npos);
+  EXPECT_FALSE(contains(read_file(folder_ + "/site/index.html"), "9:0"));
   EXPECT_EQ(run(league("start", folder_)).exit_code, 0) << "it is told once";
   EXPECT_EQ(run(league("publish", folder_)).exit_code, 0);
 }
@@ -144,10 +142,9 @@ TEST_F(ForgedRecords, OfAnotherVersionAreToldAndNeitherBookedNorVoid) {
     say_nine_goals(json);
     json["software"]["game"] = "0123456789abcdef";
   });
-  const Outcome start = run(league("start", folder_));
-  EXPECT_EQ(start.exit_code, 4) << start.err;
-  EXPECT_NE(start.err.find("another version of the game"), std::string::npos) << start.err;
-  EXPECT_NE(start.err.find("r1-f1-1-1.json"), std::string::npos) << start.err;
+  const Outcome start =
+      expect_exit(4, run(league("start", folder_)), "another version of the game");
+  EXPECT_TRUE(contains(start.err, "r1-f1-1-1.json"));
   EXPECT_EQ(count_kind(folder_, "void"), 0);
   EXPECT_EQ(count_kind(folder_, "leg"), 0);
 }
@@ -156,10 +153,7 @@ TEST_F(ForgedRecords, OfAnotherVersionAreToldAndNeitherBookedNorVoid) {
 TEST_F(ForgedRecords, WithTheReplayOfAnotherLegAreTold) {
   fs::copy_file(folder_ + "/records/r1-f2-1-1.replay.zst",
                 folder_ + "/records/r1-f1-1-1.replay.zst", fs::copy_options::overwrite_existing);
-  const Outcome start = run(league("start", folder_));
-  EXPECT_EQ(start.exit_code, 4) << start.err;
-  EXPECT_NE(start.err.find("r1-f1-1-1.replay.zst: it is not the replay"), std::string::npos)
-      << start.err;
+  expect_exit(4, run(league("start", folder_)), "r1-f1-1-1.replay.zst: it is not the replay");
   EXPECT_EQ(count_kind(folder_, "leg"), 0);
 }
 
@@ -168,24 +162,21 @@ TEST_F(ForgedRecords, AreLeftOutOfThePages) {
   ASSERT_EQ(run(league("start", folder_)).exit_code, 0);
   const std::string index = read_file(folder_ + "/site/index.html");
   forge(record("r1-f1-1"), say_nine_goals);
-  Outcome publish = run(league("publish", folder_));
-  EXPECT_EQ(publish.exit_code, 1) << publish.err;
-  EXPECT_NE(publish.err.find("r1-f1-1-1.json"), std::string::npos) << publish.err;
+  expect_exit(1, run(league("publish", folder_)), "r1-f1-1-1.json");
   const std::string page = folder_ + "/site/replays/r1-f1-1-1.html";
   EXPECT_FALSE(fs::exists(page));
-  EXPECT_EQ(read_file(folder_ + "/site/index.html").find("r1-f1-1-1"), std::string::npos);
-  EXPECT_EQ(read_file(folder_ + "/site/legs.csv").find("r1-f1-1-1"), std::string::npos);
+  EXPECT_FALSE(contains(read_file(folder_ + "/site/index.html"), "r1-f1-1-1"));
+  EXPECT_FALSE(contains(read_file(folder_ + "/site/legs.csv"), "r1-f1-1-1"));
 
   const std::vector<std::string> leg{"r1-f1", "--leg", "1", "--reason", "forged"};
   ASSERT_EQ(run(league("void", folder_, leg)).exit_code, 0);
   EXPECT_EQ(run(league("start", folder_)).exit_code, 0);
   EXPECT_EQ(run(league("publish", folder_)).exit_code, 0) << "the void attempt is not missed";
   forge(record("r1-f2-1"), say_nine_goals);
-  const Outcome ruled =
-      run(league("rule", folder_, {"r1-f2", "--leg", "1", "--score", "7:6", "--reason", "x"}));
-  ASSERT_EQ(ruled.exit_code, 0) << ruled.err;
+  expect_exit(
+      0, run(league("rule", folder_, {"r1-f2", "--leg", "1", "--score", "7:6", "--reason", "x"})));
   EXPECT_EQ(run(league("publish", folder_)).exit_code, 0) << "a person has decided the leg";
-  EXPECT_NE(read_file(folder_ + "/site/index.html").find("7:6"), std::string::npos);
+  EXPECT_TRUE(contains(read_file(folder_ + "/site/index.html"), "7:6"));
   EXPECT_FALSE(fs::exists(folder_ + "/site/replays/r1-f2-1-1.html"));
 }
 

@@ -45,14 +45,12 @@ TEST(Backup, OfALeagueThatIsPlayedEndsWithTheSamePages) {
     ASSERT_TRUE(wait_until_it_plays(folder));
     for (int i = 0; i < 3 && taken < most; ++i, ++taken) {
       usleep(static_cast<useconds_t>(random() % 700'000));
-      const Outcome backup = run(league("backup", folder, {copy}));
-      ASSERT_EQ(backup.exit_code, 0) << backup.err;
+      expect_exit(0, run(league("backup", folder, {copy})));
       const std::string restored =
           temporary / ("restored" + std::to_string(play) + std::to_string(i) + "/l");
       fs::create_directories(fs::path(restored).parent_path());
       fs::copy(copy, restored, fs::copy_options::recursive);
-      const Outcome resumed = run(league("start", restored));
-      ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+      expect_exit(0, run(league("start", restored)));
       if (!fs::exists(whole + "/site")) {
         ASSERT_EQ(run(league("start", whole)).exit_code, 0);
       }
@@ -77,8 +75,8 @@ TEST(Backup, IsNeitherInsideTheLeagueNorOverAnotherOne) {
     EXPECT_EQ(outcome.exit_code, 2) << to;
     return outcome.err;
   };
-  EXPECT_NE(refusal_of(folder).find("in the folder of the league itself"), std::string::npos);
-  EXPECT_NE(refusal_of(folder + "/./backup").find("in the folder of"), std::string::npos);
+  EXPECT_TRUE(contains(refusal_of(folder), "in the folder of the league itself"));
+  EXPECT_TRUE(contains(refusal_of(folder + "/./backup"), "in the folder of"));
   EXPECT_FALSE(fs::exists(folder + "/backup"));
 
   ASSERT_EQ(run(league("backup", folder, {temporary / "copy"})).exit_code, 0);
@@ -86,9 +84,8 @@ TEST(Backup, IsNeitherInsideTheLeagueNorOverAnotherOne) {
   const std::vector<std::string> decision{"r1-f1", "--leg", "1", "--reason", "cable fault"};
   ASSERT_EQ(run(league("void", temporary / "copy", decision)).exit_code, 0);
   const std::string decided = read_file(temporary / "copy/journal.jsonl");
-  EXPECT_NE(refusal_of(temporary / "copy")
-                .find("is a copy of another league, or legs were played in the copy"),
-            std::string::npos);
+  EXPECT_TRUE(contains(refusal_of(temporary / "copy"),
+                       "is a copy of another league, or legs were played in the copy"));
   EXPECT_EQ(read_file(temporary / "copy/journal.jsonl"), decided);
 }
 
@@ -126,8 +123,7 @@ class LostLines : public testing::Test {
     const auto site = site_of(folder_);
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exit_code, code) << words[2] << ": " << outcome.out << outcome.err;
-    EXPECT_NE((outcome.out + outcome.err).find(said), std::string::npos)
-        << words[2] << ": " << outcome.out << outcome.err;
+    EXPECT_TRUE(contains(outcome.out + outcome.err, said)) << words[2];
     EXPECT_EQ(read_file(path("journal.jsonl")), journal) << words[2];
     EXPECT_TRUE(site_of(folder_) == site) << words[2];
   }
@@ -210,8 +206,7 @@ TEST_F(LostLines, AreNamedByNightsAndRecords) {
     for (const char* end : {"-1.json", "-1.replay.zst"})
       fs::remove(path("records/r2-f1-") + leg + end);
   }
-  const Outcome night = run(league("nightly", folder_, {"--another"}));
-  EXPECT_EQ(night.exit_code, 0) << night.err;
+  expect_exit(0, run(league("nightly", folder_, {"--another"})));
   EXPECT_EQ(run(league("verify", folder_)).exit_code, 0);
 }
 
@@ -228,7 +223,7 @@ TEST(UnbookedRecord, IsNamedAndEntered) {
   for (const char* command : {"verify", "health"}) {
     const Outcome outcome = run(league(command, folder));
     EXPECT_EQ(outcome.exit_code, 1) << command;
-    EXPECT_NE(outcome.out.find("records/r1-f1-2-1.json"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "records/r1-f1-2-1.json"));
   }
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
   EXPECT_EQ(count_kind(folder, "leg"), 2);
@@ -242,17 +237,14 @@ TEST(NamedFile, ThatIsMissingOrALinkIsNamed) {
   const std::string whole = temporary / "whole";
   init_league(whole, {"site=house:idle", "b=house:idle"}, "0.2");
   ASSERT_EQ(run(league("start", whole)).exit_code, 0);
-  const Outcome first = run(league("backup", whole, {temporary / "first"}));
-  EXPECT_EQ(first.exit_code, 0) << first.err;
+  const Outcome first = expect_exit(0, run(league("backup", whole, {temporary / "first"})));
   int files = 0;
   for (const auto& file : fs::recursive_directory_iterator(temporary / "first"))
     files += file.is_regular_file() ? 1 : 0;
-  EXPECT_NE(first.out.find(": " + std::to_string(files) + " files copied, 0 files of records were"),
-            std::string::npos)
-      << first.out;
+  EXPECT_TRUE(
+      contains(first.out, ": " + std::to_string(files) + " files copied, 0 files of records were"));
   const Outcome again = run(league("backup", whole, {temporary / "first"}));
-  EXPECT_NE(again.out.find(", 4 files of records were in the copy already"), std::string::npos)
-      << again.out;
+  EXPECT_TRUE(contains(again.out, ", 4 files of records were in the copy already"));
 
   const std::string folder = temporary / "l";
   const std::string record = "records/r1-f1-1-1.json";
@@ -271,8 +263,7 @@ TEST(NamedFile, ThatIsMissingOrALinkIsNamed) {
             league("health", folder)}) {
         const Outcome outcome = run(words);
         EXPECT_EQ(outcome.exit_code, 1) << words[2] << outcome.out << outcome.err;
-        EXPECT_NE((outcome.out + outcome.err).find(name), std::string::npos)
-            << words[2] << outcome.out << outcome.err;
+        EXPECT_TRUE(contains(outcome.out + outcome.err, name)) << words[2];
       }
       EXPECT_FALSE(fs::exists(temporary / "second/" + name));
       for (const char* made : {"second", "export", "sources"}) fs::remove_all(temporary / made);
@@ -285,7 +276,7 @@ TEST(NamedFile, ThatIsMissingOrALinkIsNamed) {
   fs::create_directory_symlink(temporary / "elsewhere", folder + "/records");
   const Outcome linked = run(league("backup", folder, {temporary / "second"}));
   EXPECT_NE(linked.exit_code, 0);
-  EXPECT_NE(linked.err.find("records"), std::string::npos) << linked.err;
+  EXPECT_TRUE(contains(linked.err, "records"));
 }
 
 // Catches pages that every visitor loads anew, and a disk that is written to for nothing.
@@ -325,12 +316,10 @@ TEST(Publish, NamesTheLegsWithoutPageOrNumbers) {
   for (const char* command : {"publish", "start", "nightly"}) {
     const Outcome outcome = run(league(command, folder));
     EXPECT_EQ(outcome.exit_code, 1) << command;
-    EXPECT_NE(outcome.err.find("1 replay pages could not be made: records/r1-f1-1-1.json; "),
-              std::string::npos)
-        << command << outcome.err;
-    EXPECT_NE(outcome.err.find("statistics and goals lack 1 legs: records/r1-f1-1-1.json; "),
-              std::string::npos)
-        << command << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "1 replay pages could not be made: records/r1-f1-1-1.json; "))
+        << command;
+    EXPECT_TRUE(contains(outcome.err, "statistics and goals lack 1 legs: records/r1-f1-1-1.json; "))
+        << command;
   }
 }
 
@@ -343,13 +332,12 @@ TEST(Verify, NamesARecordThatWasChangedOrIsGone) {
   const std::string record = folder + "/records/r1-f1-1-1.json";
   const std::string text = read_file(record);
   write_file(record, text.substr(0, text.size() / 2));
-  Outcome outcome = run(league("verify", folder));
-  EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
-  EXPECT_NE(outcome.out.find("records/r1-f1-1-1.json: "), std::string::npos) << outcome.out;
+  Outcome outcome = expect_exit(4, run(league("verify", folder)));
+  EXPECT_TRUE(contains(outcome.out, "records/r1-f1-1-1.json: "));
   fs::remove(record);
   outcome = run(league("verify", folder));
   EXPECT_EQ(outcome.exit_code, 4);
-  EXPECT_NE(outcome.out.find("the journal names it"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "the journal names it"));
 }
 
 // Needs the right to mount, as the tests of full disks of the match server do.
@@ -362,8 +350,7 @@ TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
     GTEST_SKIP() << "this user may not mount";
   const std::string folder = disk + "/l";
   init_league(folder, backup_teams, "10");
-  const Outcome first = run(league("start", folder, {"--jobs", "1"}));
-  EXPECT_EQ(first.exit_code, 0) << first.err;
+  expect_exit(0, run(league("start", folder, {"--jobs", "1"})));
   fs::remove_all(folder + "/site");
   // The next league finds no room for its records.
   const std::string other = disk + "/other";
@@ -378,9 +365,7 @@ TEST(FullDisk, StopsALeagueAtOnceAndSaysSo) {
   fs::create_directory(filler);
   for (int i = 0; fs::space(disk).available > left; ++i)
     write_file(filler + "/" + std::to_string(i), filling);
-  const Outcome full = run(league("start", other, {"--jobs", "1"}));
-  EXPECT_EQ(full.exit_code, 3) << full.err;
-  EXPECT_NE(full.err.find("full"), std::string::npos) << full.err;
+  expect_exit(3, run(league("start", other, {"--jobs", "1"})), "full");
   EXPECT_EQ(count_kind(other, "void"), 0) << "no leg is tried again";
   fs::remove_all(filler);
   EXPECT_EQ(run(league("start", other)).exit_code, 0);
@@ -400,8 +385,8 @@ TEST(Teams, AreNotRefusedBeforeTheirCheckHasEnded) {
   check.wait();
   ASSERT_FALSE(fs::exists(folder + "/entries/a/2/entry.json")) << "it was too quick";
   const Outcome outcome = run(league("status", folder, {"--entries"}));
-  EXPECT_NE(outcome.out.find("a: waits for its check, "), std::string::npos) << outcome.out;
-  EXPECT_EQ(outcome.out.find("refused"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "a: waits for its check, "));
+  EXPECT_FALSE(contains(outcome.out, "refused"));
 }
 
 // Three books used to know different teams: the class list, the league, and the tokens.
@@ -410,9 +395,7 @@ TEST(Teams, AreThoseOfTheClassListEverywhere) {
   const std::string folder = temporary / "l";
   const std::string list = temporary / "class.csv";
   init_league(folder, {}, "0.2", "nightly");
-  const Outcome none = run(league("token", folder, {"--all", "--csv"}));
-  EXPECT_EQ(none.exit_code, 2) << none.out;
-  EXPECT_NE(none.err.find("the league has no team"), std::string::npos) << none.err;
+  expect_exit(2, run(league("token", folder, {"--all", "--csv"})), "the league has no team");
 
   const std::string text =
       "\xef\xbb\xbfteam;display;members;mail\r\na;Zoë & Co;\"Ada;Bo\";\"ada@x;bo@x\"\r\n"
@@ -435,27 +418,26 @@ TEST(Teams, AreThoseOfTheClassListEverywhere) {
 
   // What docs/hosting.md once said to do: the shell empties the list before the program begins.
   const auto words = league("token", folder, {"--all", "--csv"});
-  const Outcome over = run(
-      {"/bin/sh", "-c", "'" + words[0] + "' league token " + folder + " --all --csv > " + list});
-  EXPECT_EQ(over.exit_code, 2);
+  const Outcome over =
+      expect_exit(2, run({"/bin/sh", "-c",
+                          "'" + words[0] + "' league token " + folder + " --all --csv > " + list}));
   EXPECT_EQ(read_file(list), text) << over.err;
   const std::string tokens = run(words).out;
   EXPECT_EQ(tokens.rfind("team,display,token,members,mail\na,Zoë & Co,", 0), 0u) << tokens;
-  EXPECT_NE(tokens.find(",Ada; Bo,ada@x;bo@x\nb,"), std::string::npos) << tokens;
+  EXPECT_TRUE(contains(tokens, ",Ada; Bo,ada@x;bo@x\nb,"));
   EXPECT_EQ(std::count(tokens.begin(), tokens.end(), '\n'), 5) << tokens;
-  EXPECT_NE(tokens.find("\nb,'=cmd|' /C calc'!A0,"), std::string::npos) << tokens;
+  EXPECT_TRUE(contains(tokens, "\nb,'=cmd|' /C calc'!A0,"));
   EXPECT_EQ(run(words).out, "team,display,token,members,mail\n");
   const std::string each = run(league("token", folder, {"a", "--csv", "--per-member"})).out;
   EXPECT_EQ(std::count(each.begin(), each.end(), '\n'), 3) << each;
-  EXPECT_NE(each.find(",Bo,bo@x\n"), std::string::npos) << each;
+  EXPECT_TRUE(contains(each, ",Bo,bo@x\n"));
 
   for (const std::string team : {"a", "b"})
     EXPECT_EQ(run(league("submit", folder, {team, house("chaser")})).exit_code, 0);
   write_file(temporary / "bad.so", "no library");
   EXPECT_EQ(run(league("submit", folder, {"c", temporary / "bad.so"})).exit_code, 1);
-  const Outcome night = run(league("nightly", folder));
-  EXPECT_EQ(night.exit_code, 0) << night.err;
-  EXPECT_NE(night.out.find("d has not handed in"), std::string::npos) << night.out;
+  const Outcome night = expect_exit(0, run(league("nightly", folder)));
+  EXPECT_TRUE(contains(night.out, "d has not handed in"));
   // A student who comes later, and a typing error that is taken out again.
   write_file(list, text + "e;Echo;Ed;ed@x\r\nx;;;\r\n");
   EXPECT_EQ(run(league("team", folder, {"--csv", list})).exit_code, 0);
@@ -500,22 +482,18 @@ TEST(Teams, OfAClassListAreRefusedWithLineAndReason) {
     write_file(list, text);
     const Outcome outcome = run(league("team", folder, {"--csv", list}));
     EXPECT_EQ(outcome.exit_code, 2) << text;
-    EXPECT_NE(outcome.err.find("class.csv: " + std::string(why)), std::string::npos) << why << "\n"
-                                                                                     << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "class.csv: " + std::string(why))) << why;
   }
   EXPECT_EQ(read_file(folder + "/league.json"), config);
   write_file(list, "team;display\na;M\xfcller\n");
-  const Outcome read = run(league("team", folder, {"--csv", list}));
-  EXPECT_EQ(read.exit_code, 0);
-  EXPECT_NE(read.err.find("Windows-1252"), std::string::npos) << read.err;
+  expect_exit(0, run(league("team", folder, {"--csv", list})), "Windows-1252");
   EXPECT_EQ(run(league("team", folder, {"a", "--display", "Müller"})).out, "a: Müller\n");
   EXPECT_EQ(run(league("team", folder, {"Beta", "--display", "müller"})).exit_code, 2);
   EXPECT_EQ(run(league("team", folder, {"Beta", "--display", "A"})).exit_code, 2);
   EXPECT_EQ(run(league("team", folder, {"a", "--remove"})).exit_code, 0);
   EXPECT_EQ(read_json(folder + "/league.json")["teams"].size(), 1u);
   // Before the start, a team that does not come is left out.
-  const Outcome start = run(league("start", folder));
-  EXPECT_EQ(start.exit_code, 2);
+  expect_exit(2, run(league("start", folder)));
   EXPECT_EQ(run(league("withdraw", folder, {"Beta", "--reason", "does not come"})).exit_code, 0);
   EXPECT_EQ(read_json(folder + "/league.json")["teams"].size(), 0u);
 }
@@ -534,7 +512,7 @@ TEST(Leagues, AreWrittenByTheirOwnerOnly) {
         league("withdraw", folder, {"a", "--reason", "x"})}) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exit_code, 3) << words[2] << outcome.err;
-    EXPECT_NE(outcome.err.find(folder + " belongs to user 4711"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, folder + " belongs to user 4711"));
   }
   EXPECT_FALSE(fs::exists(folder + "/journal.jsonl"));
   EXPECT_EQ(run(league("status", folder)).exit_code, 1) << "whoever may read may look";
@@ -542,11 +520,9 @@ TEST(Leagues, AreWrittenByTheirOwnerOnly) {
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
   std::string journal = read_file(folder + "/journal.jsonl");
   write_file(folder + "/journal.jsonl", journal.insert(journal.find('\n'), "\r"));
-  const Outcome damaged = run(league("status", folder));
-  EXPECT_EQ(damaged.exit_code, 4);
-  EXPECT_NE(damaged.err.find("its line ends were changed"), std::string::npos) << damaged.err;
-  EXPECT_NE(damaged.err.find("put back journal.jsonl and journal.head from the last copy"),
-            std::string::npos);
+  const Outcome damaged =
+      expect_exit(4, run(league("status", folder)), "its line ends were changed");
+  EXPECT_TRUE(contains(damaged.err, "put back journal.jsonl and journal.head from the last copy"));
 }
 
 TEST(Teams, MayBeAddedAfterInit) {
@@ -556,18 +532,17 @@ TEST(Teams, MayBeAddedAfterInit) {
   EXPECT_EQ(run(league("submit", folder, {"striker", "house:striker"})).out,
             "striker: entry 1 was accepted\n");
   EXPECT_EQ(run(league("submit", folder, {"x", "house:nobody"})).exit_code, 2);
-  const Outcome past = run(league("freeze", folder, {"--at", "2020-01-30 18:00", "--reason", "x"}));
-  EXPECT_EQ(past.exit_code, 2);
-  EXPECT_NE(past.err.find("2020-01-30 18:00 UTC is past, it is "), std::string::npos) << past.err;
-  EXPECT_NE(past.err.find("or none to take no entry from now on"), std::string::npos) << past.err;
+  const Outcome past =
+      expect_exit(2, run(league("freeze", folder, {"--at", "2020-01-30 18:00", "--reason", "x"})),
+                  "2020-01-30 18:00 UTC is past, it is ");
+  EXPECT_TRUE(contains(past.err, "or none to take no entry from now on"));
   auto config = read_json(folder + "/league.json");
   config["teams"].push_back({{"name", "keeper"}, {"entry", "house:keeper"}});
   config["teams"].push_back({{"name", "own"}, {"entry", "own.so"}});
   config["freeze"] = "2126-11-30T19:00:00+01:00";
   write_file(folder + "/league.json", config.dump());
   fs::copy_file(house("idle"), folder + "/own.so");
-  const Outcome started = run(league("start", folder));
-  EXPECT_EQ(started.exit_code, 0) << started.err;
+  expect_exit(0, run(league("start", folder)));
   EXPECT_EQ(count_kind(folder, "entry"), 4);
 }
 
@@ -583,13 +558,12 @@ TEST(Nights, TellTeamsWhatBecameOfTheirHandIns) {
   const auto digest = [&](const std::string& team) {
     return read_file(folder + "/nights/1/" + team + ".txt");
   };
-  EXPECT_NE(digest("c").find("Note:     entry 1 was not accepted: "), std::string::npos)
-      << digest("c");
-  EXPECT_NE(digest("d").find("Note:     nothing was handed in"), std::string::npos) << digest("d");
-  EXPECT_EQ(digest("d").find("Lost to:"), std::string::npos) << "it played no leg";
-  EXPECT_NE(digest("d").find("Legs:     none\n"), std::string::npos) << digest("d");
-  EXPECT_EQ(digest("a").find("Note:"), std::string::npos) << digest("a");
-  EXPECT_EQ(digest("a").find("yesterday"), std::string::npos) << "it was the first night";
+  EXPECT_TRUE(contains(digest("c"), "Note:     entry 1 was not accepted: "));
+  EXPECT_TRUE(contains(digest("d"), "Note:     nothing was handed in"));
+  EXPECT_FALSE(contains(digest("d"), "Lost to:")) << "it played no leg";
+  EXPECT_TRUE(contains(digest("d"), "Legs:     none\n"));
+  EXPECT_FALSE(contains(digest("a"), "Note:"));
+  EXPECT_FALSE(contains(digest("a"), "yesterday")) << "it was the first night";
 }
 
 // One team hands in after the deadline. Why is its business: neither journal nor pages have it.
@@ -607,7 +581,7 @@ TEST(Teams, MayHaveAnExtension) {
   ASSERT_EQ(run(league("freeze", folder, {"--reason", "last day"})).exit_code, 0);
   EXPECT_EQ(take("a"), 1);
   EXPECT_EQ(extend("a", "2126-11-30").exit_code, 2) << "a day is no time";
-  EXPECT_NE(extend("a", "2020-11-30 18:00").err.find("is past, it is "), std::string::npos);
+  EXPECT_TRUE(contains(extend("a", "2020-11-30 18:00").err, "is past, it is "));
   EXPECT_EQ(extend("a", "2126-11-30T18:00:00Z").exit_code, 0);
   EXPECT_EQ(take("a"), 0) << "before the start league.json has the extension";
   EXPECT_EQ(take("b"), 1);
@@ -620,16 +594,14 @@ TEST(Teams, MayHaveAnExtension) {
   EXPECT_EQ(take("c"), 1);
   ASSERT_EQ(run(league("publish", folder)).exit_code, 0);
   for (const auto& [name, bytes] : site_of(folder))
-    EXPECT_EQ(bytes.find("hospital"), std::string::npos) << name;
-  EXPECT_EQ(read_file(folder + "/journal.jsonl").find("hospital"), std::string::npos);
+    EXPECT_FALSE(contains(bytes, "hospital")) << name;
+  EXPECT_FALSE(contains(read_file(folder + "/journal.jsonl"), "hospital"));
   const std::string kept = read_file(folder + "/reasons.txt");
-  EXPECT_NE(kept.find(" on, no entry is taken: last day\n"), std::string::npos) << kept;
+  EXPECT_TRUE(contains(kept, " on, no entry is taken: last day\n"));
   const std::string last = kept.substr(kept.rfind('\n', kept.size() - 2) + 1);
-  EXPECT_NE(last.find(": b may hand in until 2126-11-30 18:00 UTC: is in hospital\n"),
-            std::string::npos)
-      << last;
-  EXPECT_NE(read_file(folder + "/journal.jsonl").find("\"reason_sha256\":\"" + last.substr(0, 64)),
-            std::string::npos);
+  EXPECT_TRUE(contains(last, ": b may hand in until 2126-11-30 18:00 UTC: is in hospital\n"));
+  EXPECT_TRUE(
+      contains(read_file(folder + "/journal.jsonl"), "\"reason_sha256\":\"" + last.substr(0, 64)));
   EXPECT_EQ(fs::status(folder + "/reasons.txt").permissions(),
             fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(run(league("undo", folder, {"1", "--reason", "a mistake"})).exit_code, 0);

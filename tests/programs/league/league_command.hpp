@@ -33,8 +33,7 @@ inline void init_league(const std::string& folder, const std::vector<std::string
   std::vector<std::string> more{"--half", half, "--seed", "3"};
   for (const std::string& team : teams) more.insert(more.end(), {"--team", team});
   if (!format.empty()) more.insert(more.end(), {"--format", format});
-  const Outcome made = run(league("init", folder, more));
-  ASSERT_EQ(made.exit_code, 0) << made.err;
+  expect_exit(0, run(league("init", folder, more)));
 }
 
 inline std::vector<nlohmann::json> journal_of(const std::string& folder) {

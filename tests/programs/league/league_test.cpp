@@ -25,8 +25,7 @@ void make_league(const std::string& folder, const std::string& half = "10") {
               {"name": "chaser", "entry": "house:chaser"},
               {"name": "idle", "entry": "house:idle"},
               {"name": "far", "entry": "house:keeper", "dds": true}]})");
-  const Outcome made = run(league("init", folder, {"--config", folder + ".json"}));
-  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome made = expect_exit(0, run(league("init", folder, {"--config", folder + ".json"})));
   EXPECT_EQ(made.out, folder + ": 4 teams, 12 legs\n");
 }
 
@@ -41,8 +40,7 @@ TEST(League, PlaysTheExampleOfTheReadme) {
   config = temporary / "league.json";
   write_file(config, shorter.dump());
   ASSERT_EQ(run(league("init", folder, {"--config", config})).exit_code, 0);
-  const Outcome played = run(league("start", folder));
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run(league("start", folder)));
 
   const Outcome status = run(league("status", folder, {"--json"}));
   const auto table = nlohmann::json::parse(status.out);
@@ -54,8 +52,7 @@ TEST(League, PlaysTheExampleOfTheReadme) {
     if (file.path().extension() != ".json") continue;
     ++records;
     any_dds = any_dds || read_json(file.path())["teams"]["blue"]["kind"] == "dds";
-    const Outcome verified = run_mirocup({"verify", file.path()});
-    EXPECT_EQ(verified.exit_code, 0) << verified.out;
+    expect_exit(0, run_mirocup({"verify", file.path()}));
   }
   EXPECT_EQ(records, table["legs"]);
   EXPECT_TRUE(any_dds);
@@ -103,13 +100,10 @@ TEST(League, EndsLikeAnUnstoppedLeagueAfterItWasStopped) {
   Running running(league("start", temporary / "stopped"));
   ASSERT_TRUE(wait_until_it_plays(temporary / "stopped"));
   running.signal(SIGTERM);
-  const Outcome stopped = running.wait();
-  EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
-  EXPECT_NE(stopped.err.find("the same command continues"), std::string::npos);
+  expect_exit(130, running.wait(), "the same command continues");
   EXPECT_EQ(run(league("status", temporary / "stopped")).exit_code, 1) << "legs are left";
 
-  const Outcome resumed = run(league("start", temporary / "stopped"));
-  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  expect_exit(0, run(league("start", temporary / "stopped")));
   expect_same_site(temporary / "stopped", temporary / "whole");
 }
 
@@ -126,7 +120,7 @@ TEST(League, BooksAMatchServerThatDiesAsVoidAndPlaysAgain) {
   }));
   EXPECT_EQ(running.wait().exit_code, 0);
   const std::string journal = read_file(temporary / "l/journal.jsonl");
-  EXPECT_NE(journal.find("\"kind\":\"void\""), std::string::npos);
+  EXPECT_TRUE(contains(journal, "\"kind\":\"void\""));
   EXPECT_EQ(read_json(temporary / "l/site/table.json")["played"], 2);
 }
 
@@ -140,9 +134,8 @@ TEST(League, RefusesToGoOnWhenWhatWasDecidedHasChanged) {
   std::string changed = config;
   changed.replace(changed.find("\"seed\": 3"), 9, "\"seed\": 2");
   write_file(folder + "/league.json", changed);
-  Outcome outcome = run(league("start", folder));
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("changed after the league started"), std::string::npos) << outcome.err;
+  Outcome outcome =
+      expect_exit(2, run(league("start", folder)), "changed after the league started");
   write_file(folder + "/league.json", config);
 
   write_file(folder + "/entries/a/1/strategy.so", "another library");
@@ -158,9 +151,7 @@ TEST(League, RefusesBadTeamsAndMissingFolders) {
   EXPECT_EQ(run(league("init", temporary / "x", {"--team", "a"})).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(temporary / "x/league.json")) << "nothing half made";
   // A variable of the shell that is not set; "/league.json" was meant by no host.
-  const Outcome nameless = run(league("status", ""));
-  EXPECT_EQ(nameless.exit_code, 2);
-  EXPECT_NE(nameless.err.find("DIR: \"\" names no folder"), std::string::npos) << nameless.err;
+  expect_exit(2, run(league("status", "")), "DIR: \"\" names no folder");
 }
 
 TEST(League, IsNotPublishedIntoAnotherLeague) {
@@ -170,10 +161,10 @@ TEST(League, IsNotPublishedIntoAnotherLeague) {
     ASSERT_EQ(run(league("start", temporary / name)).exit_code, 0);
   }
   const auto before = site_of(temporary / "autumn");
-  const Outcome outcome =
-      run(league("publish", temporary / "spring", {"--through", "r1", "-o", temporary / "autumn"}));
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("autumn is a league"), std::string::npos) << outcome.err;
+  expect_exit(
+      2,
+      run(league("publish", temporary / "spring", {"--through", "r1", "-o", temporary / "autumn"})),
+      "autumn is a league");
   EXPECT_EQ(site_of(temporary / "autumn"), before);
 }
 
@@ -203,14 +194,12 @@ TEST(League, HasAFrontPageBesideOthers) {
   const TemporaryFolder temporary;
   init_league(temporary / "autumn", {"a=house:chaser", "b=house:idle"});
   init_league(temporary / "spring", {"a=house:chaser", "b=house:idle", "c=house:idle"});
-  const Outcome written = run(league("index", temporary / "", {"--title", "<Soccer>"}));
-  EXPECT_EQ(written.exit_code, 0) << written.err;
+  expect_exit(0, run(league("index", temporary / "", {"--title", "<Soccer>"})));
   const std::string page = read_file(temporary / "index.html");
-  EXPECT_NE(page.find("&lt;Soccer&gt;"), std::string::npos);
+  EXPECT_TRUE(contains(page, "&lt;Soccer&gt;"));
   EXPECT_LT(page.find("href=\"autumn/\""), page.find("href=\"spring/\""));
   EXPECT_EQ(run(league("index", temporary / "", {"--static"})).exit_code, 0);
-  EXPECT_NE(read_file(temporary / "index.html").find("href=\"spring/site/index.html\""),
-            std::string::npos);
+  EXPECT_TRUE(contains(read_file(temporary / "index.html"), "href=\"spring/site/index.html\""));
   write_file(temporary / "index.html", "the host's own page");
   EXPECT_EQ(run(league("index", temporary / "")).exit_code, 2);
   EXPECT_EQ(read_file(temporary / "index.html"), "the host's own page");

@@ -88,8 +88,8 @@ class LeagueOfAStranger : public testing::Test {
     EXPECT_GE(outcome.exit_code, 1) << part << ": " << command;
     EXPECT_LE(outcome.exit_code, 5) << part << ": " << command << outcome.err;
     const std::string said = outcome.out + outcome.err;
-    EXPECT_NE(said.find(path), std::string::npos) << command << ": " << said;
-    EXPECT_NE(said.find("symbolic link"), std::string::npos) << command << ": " << said;
+    EXPECT_TRUE(contains(said, path)) << command;
+    EXPECT_TRUE(contains(said, "symbolic link")) << command;
     EXPECT_TRUE(content_of(outside) == before) << part << ": " << command;
     fs::remove(path);
     if (was_there) fs::rename(aside, path);
@@ -204,9 +204,8 @@ class SiteElsewhere : public LeagueOfAStranger {
 
   void expect_code(int code, const std::string& said,
                    const std::string& command = "publish") const {
-    const Outcome outcome = run(league(command, league_));
-    EXPECT_EQ(outcome.exit_code, code) << outcome.err;
-    EXPECT_NE((outcome.out + outcome.err).find(said), std::string::npos) << outcome.err;
+    const Outcome outcome = expect_exit(code, run(league(command, league_)));
+    EXPECT_TRUE(contains(outcome.out + outcome.err, said));
   }
 
   const std::string config_;
@@ -227,7 +226,7 @@ TEST_F(SiteElsewhere, HasThePagesOfEachCommand) {
   EXPECT_TRUE(content_of(league_ + "/site") == before)
       << "the former pages are the host's to remove";
   const Outcome pruned = run(league("prune", league_, {"--before", "2"}));
-  EXPECT_NE(pruned.out.find("pages of 1 night are removed"), std::string::npos) << pruned.err;
+  EXPECT_TRUE(contains(pruned.out, "pages of 1 night are removed")) << pruned.err;
   EXPECT_FALSE(fs::exists(site_ + "/replays/r1-f1-1-1.html"));
 }
 

@@ -22,17 +22,16 @@ TEST(LeagueStatistics, AreTheSameFromPagesAndFromRecords) {
   ASSERT_EQ(run(league("start", folder)).exit_code, 0);
 
   const std::vector<std::string> command{program("mirocup"), "stats", folder, "--json"};
-  const Outcome kept = run(command);
-  ASSERT_EQ(kept.exit_code, 0) << kept.err;
+  const Outcome kept = expect_exit(0, run(command));
   const Json json = Json::parse(kept.out);
   EXPECT_EQ(json["legs"].size(), 6u);
   EXPECT_EQ(json["teams"].size(), 3u);
   for (const Json& team : json["teams"]) EXPECT_EQ(team["legs"], 4);
   auto site = site_of(folder);
   EXPECT_EQ(kept.out, site["statistics.json"]);
-  EXPECT_NE(site["index.html"].find("<h2>Statistics</h2>"), std::string::npos);
-  EXPECT_NE(site["index.html"].find("href=\"replays/r1-f1-1-1.html\""), std::string::npos);
-  EXPECT_NE(site["teams/c.html"].find("<h2>Play</h2>"), std::string::npos);
+  EXPECT_TRUE(contains(site["index.html"], "<h2>Statistics</h2>"));
+  EXPECT_TRUE(contains(site["index.html"], "href=\"replays/r1-f1-1-1.html\""));
+  EXPECT_TRUE(contains(site["teams/c.html"], "<h2>Play</h2>"));
 
   // One file of another leg and one that is no JSON: both are counted anew.
   std::vector<std::filesystem::path> files;
@@ -46,8 +45,7 @@ TEST(LeagueStatistics, AreTheSameFromPagesAndFromRecords) {
   std::filesystem::remove_all(folder + "/site");
   EXPECT_EQ(run(command).out, kept.out) << "from the records alone";
   EXPECT_FALSE(std::filesystem::exists(folder + "/site")) << "it only reads";
-  const Outcome published = run(league("publish", folder));
-  EXPECT_EQ(published.exit_code, 0);
+  const Outcome published = expect_exit(0, run(league("publish", folder)));
   EXPECT_EQ(published.out, folder + "/site/index.html\n");
   EXPECT_TRUE(site_of(folder) == site);
 }

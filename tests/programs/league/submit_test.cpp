@@ -32,8 +32,7 @@ class Submit : public testing::Test {
   }
 
   void submit_good(const std::string& team, const std::string& file) const {
-    const Outcome outcome = submit(team, file);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    expect_exit(0, submit(team, file));
   }
 
   TemporaryFolder temporary_;
@@ -73,7 +72,7 @@ TEST_F(Submit, TakesNoFileThatCannotBeALibrary) {
     EXPECT_EQ(outcome.exit_code, 1) << name << outcome.err;
     EXPECT_EQ(outcome.out, told);
     EXPECT_FALSE(fs::exists(folder_ + "/entries/" + name));
-    EXPECT_NE(submit("alpha", in + name).out.find(reason), std::string::npos) << name;
+    EXPECT_TRUE(contains(submit("alpha", in + name).out, reason)) << name;
   }
   write_file(in + "empty", "");
   EXPECT_EQ(submit("empty", in + "empty").exit_code, 1);
@@ -83,34 +82,31 @@ TEST_F(Submit, TakesNoFileThatCannotBeALibrary) {
   EXPECT_FALSE(fs::exists(folder_ + "/entries/alpha/2"));
   for (const auto& file : fs::recursive_directory_iterator(folder_)) {
     if (!file.is_regular_file()) continue;
-    EXPECT_EQ(read_file(file.path()).find("secret"), std::string::npos) << file.path();
+    EXPECT_FALSE(contains(read_file(file.path()), "secret")) << file.path();
   }
 }
 
 TEST_F(Submit, PrintsNoTextThatSteersTheTerminal) {
   for (const char* team : {"!", "Zo\u00eb", "a\nb: entry 7 was accepted\n", "../up", ""}) {
-    const Outcome outcome = submit(team, house("idle"));
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    const Outcome outcome = expect_exit(2, submit(team, house("idle")));
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
   }
-  EXPECT_NE(submit("a\nb", house("idle")).err.find("a\\x0ab\" is no name"), std::string::npos);
+  EXPECT_TRUE(contains(submit("a\nb", house("idle")).err, "a\\x0ab\" is no name"));
   const std::string red = temporary_ / "\x1b[31m\xff.so";
   const std::string right_to_left = temporary_ / "\u202eevil.so";
   for (const std::string& path : {red, right_to_left}) {
     fs::create_symlink(secret_, path);
-    const Outcome outcome = submit("a", path);
-    EXPECT_EQ(outcome.exit_code, 1);
+    const Outcome outcome = expect_exit(1, submit("a", path));
     for (const unsigned char c : outcome.out) EXPECT_TRUE(c == '\n' || c >= 0x20) << int{c};
-    EXPECT_EQ(outcome.out.find("\u202e"), std::string::npos);
-    const Outcome json = run(league("submit", folder_, {"a", path, "--json"}));
-    EXPECT_EQ(json.exit_code, 1);
+    EXPECT_FALSE(contains(outcome.out, "\u202e"));
+    const Outcome json = expect_exit(1, run(league("submit", folder_, {"a", path, "--json"})));
     const auto answer = nlohmann::json::parse(json.out, nullptr, false);
     ASSERT_TRUE(answer.is_object()) << json.out;
     EXPECT_EQ(answer["accepted"], false);
     EXPECT_TRUE(answer["file"].is_string());
   }
-  EXPECT_NE(submit("a", red).out.find("\\x1b[31m\\xff"), std::string::npos);
+  EXPECT_TRUE(contains(submit("a", red).out, "\\x1b[31m\\xff"));
 }
 
 TEST_F(Submit, KeepsEntriesFromOtherUsers) {
@@ -129,12 +125,10 @@ TEST_F(Submit, LimitsTriesAndVersions) {
   submit_good("alpha", house("chaser"));
   for (std::size_t i = 2; i <= 20; ++i) {
     write_file(cut, library.substr(0, 3000 + i));
-    EXPECT_NE(
-        submit("alpha", cut).out.find("alpha: entry " + std::to_string(i) + " was not accepted"),
-        std::string::npos);
+    EXPECT_TRUE(contains(submit("alpha", cut).out,
+                         "alpha: entry " + std::to_string(i) + " was not accepted"));
   }
-  const Outcome outcome = submit("alpha", cut);
-  EXPECT_EQ(outcome.exit_code, 1);
+  const Outcome outcome = expect_exit(1, submit("alpha", cut));
   EXPECT_EQ(outcome.out,
             "alpha: not taken: it has had 20 tries in the last hour; hand it in later\n");
   int libraries = 0;
@@ -180,8 +174,7 @@ TEST_F(Submit, NumbersEachEntryThoughSeveralAreHandedInAtOnce) {
   Running third(league("submit", folder_, {"beta", house("keeper")}));
   std::set<std::string> told;
   for (Running* const one : {&first, &second, &third}) {
-    const Outcome outcome = one->wait();
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    const Outcome outcome = expect_exit(0, one->wait());
     told.insert(outcome.out);
   }
   EXPECT_EQ(told,

@@ -54,8 +54,7 @@ class Term : public testing::Test {
   "teams": [)" + teams +
                    R"({"name": "striker", "entry": "house:striker"},
             {"name": "idle", "entry": "house:idle"}]})");
-    const Outcome made = run(league("init", folder_, {"--config", temporary_ / "league.json"}));
-    ASSERT_EQ(made.exit_code, 0) << made.err;
+    expect_exit(0, run(league("init", folder_, {"--config", temporary_ / "league.json"})));
   }
 
   // The answer to a command, which must end with that code.
@@ -71,10 +70,6 @@ class Term : public testing::Test {
   const TemporaryFolder temporary_;
   const std::string folder_ = temporary_ / "term";
 };
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // Compares what teams were told of the last night with the journal.
 void expect_digests(const std::string& folder) {
@@ -238,8 +233,7 @@ TEST_F(Term, FinalsTakeTheFirstOfTheTable) {
     return run(league("init", finals, {"--from", folder_, "--top", top, "--half", "2"}));
   };
   EXPECT_EQ(init_finals("7").exit_code, 2);
-  const Outcome made = init_finals("4");
-  ASSERT_EQ(made.exit_code, 0) << made.err;
+  expect_exit(0, init_finals("4"));
   const Json config = read_json(finals + "/league.json");
   EXPECT_EQ(config["format"], "knockout");
   EXPECT_EQ(config["rules"]["half_s"], 2.0);
@@ -255,8 +249,7 @@ TEST_F(Term, FinalsTakeTheFirstOfTheTable) {
     const std::string entry = "/entries/" + team + "/1/strategy.so";
     EXPECT_EQ(read_file(finals + entry), read_file(folder_ + entry)) << team;
   }
-  const Outcome started = run(league("start", finals));
-  ASSERT_EQ(started.exit_code, 0) << started.err;
+  expect_exit(0, run(league("start", finals)));
   const std::string home = read_file(finals + "/site/index.html");
   for (const std::string& team : found) {
     const bool is_house = team == "striker" || team == "idle";
@@ -280,9 +273,8 @@ TEST_F(Term, SourcesAreExportedAsJPlagReadsThem) {
   const std::string project = temporary_ / "project";
   fs::create_directories(project + "/src");
   write_file(project + "/src/one.cpp", "int beta;\n");
-  const Outcome packed =
-      run({"/usr/bin/tar", "-czf", of("beta") + "source", "-C", project, "src/one.cpp"});
-  ASSERT_EQ(packed.exit_code, 0) << packed.err;
+  expect_exit(0,
+              run({"/usr/bin/tar", "-czf", of("beta") + "source", "-C", project, "src/one.cpp"}));
   was_called("beta", "project.tar.gz");
   const std::string to = temporary_ / "sources";
   const std::string said = ask("export", {"--sources", "-o", to}).out;

@@ -45,7 +45,7 @@ TEST(BrokenWrite, OfTheAnswerIsNoSuccess) {
   for (const char* command : {"drill list", "help match", "league init --help"}) {
     const Outcome full = shell(std::string(command) + " >/dev/full");
     EXPECT_EQ(full.exit_code, 3) << command;
-    EXPECT_NE(full.err.find("standard output"), std::string::npos) << full.err;
+    EXPECT_TRUE(contains(full.err, "standard output"));
     EXPECT_EQ(shell(std::string(command) + " >&-").exit_code, 0) << command;
     EXPECT_EQ(shell(std::string(command) + " | true").err, "") << command;
   }

@@ -18,8 +18,7 @@ Outcome play(const TemporaryFolder& folder, const std::string& team,
                                  "--half",           "5",
                                  "--record",         folder / "leg.json"};
   words.insert(words.end(), more.begin(), more.end());
-  const Outcome played = run(words);
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const Outcome played = expect_exit(0, run(words));
   const auto fault = read_json(folder / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "crash") << fault;
   EXPECT_EQ(fault["text"],
@@ -50,8 +49,8 @@ TEST(Crash, NamesTheFunctionsOfALibraryWithSymbols) {
                                             "addr2line -Cfie FILE 0x"};
     for (const long at : in_order(played.err, expected)) EXPECT_GE(at, 0) << played.err;
     const std::string log = read_file(folder / "leg.json.blue.log");
-    EXPECT_NE(log.find("Crashed in\n  0x"), std::string::npos) << log;
-    EXPECT_NE(log.find(" Crashes::look_for\n"), std::string::npos) << log;
+    EXPECT_TRUE(contains(log, "Crashed in\n  0x"));
+    EXPECT_TRUE(contains(log, " Crashes::look_for\n"));
   }
 }
 
@@ -65,14 +64,14 @@ TEST(Crash, NamesTheAddressesOfALibraryWithoutSymbols) {
   const std::size_t end = played.err.find('\n', at + first.size());
   EXPECT_EQ(played.err.substr(end + 1, 4), "  0x") << played.err;
   EXPECT_LT(end - at, first.size() + 6) << "an address in a small file: " << played.err;
-  EXPECT_EQ(played.err.find("look_for"), std::string::npos) << played.err;
+  EXPECT_FALSE(contains(played.err, "look_for"));
 }
 
 // Catches a match that waits for a process which looks for its calls and never finds an end.
 TEST(Crash, EndsTheTeamWhoseTraceNeverEnds) {
   const TemporaryFolder folder;
   const Outcome played = play(folder, "crashes", {"--param", "loops=1"});
-  EXPECT_EQ(played.err.find("crashed in"), std::string::npos) << played.err;
+  EXPECT_FALSE(contains(played.err, "crashed in"));
 }
 
 }  // namespace

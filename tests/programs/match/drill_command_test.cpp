@@ -34,12 +34,10 @@ constexpr const char* own_drill =
 
 // Catches a drill that cannot be read or tried, such as one with a situation that overlaps.
 TEST(DrillCommand, TriesEveryDrill) {
-  const Outcome list = drill({"list", "--json"});
-  ASSERT_EQ(list.exit_code, 0) << list.err;
+  const Outcome list = expect_exit(0, drill({"list", "--json"}));
   const Json drills = Json::parse(list.out)["drills"];
   EXPECT_GE(drills.size(), 20u);
-  const Outcome tried = drill({"all", "striker", "--tries", "1", "--json"});
-  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  const Outcome tried = expect_exit(0, drill({"all", "striker", "--tries", "1", "--json"}));
   const Json report = Json::parse(tried.out);
   ASSERT_EQ(report["drills"].size(), drills.size());
   double sum = 0.0;
@@ -66,9 +64,8 @@ TEST(DrillCommand, GivesTheSameMarksForTheSameSeeds) {
 TEST(DrillCommand, WritesAReplayOfEachFailedTry) {
   const TemporaryFolder folder;
   std::ofstream(folder / "mine.json") << own_drill;
-  const Outcome tried =
-      drill({folder / "mine.json", "idle", "--json", "--replay", folder / "failed"});
-  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  const Outcome tried = expect_exit(
+      0, drill({folder / "mine.json", "idle", "--json", "--replay", folder / "failed"}));
   const Json report = Json::parse(tried.out);
   EXPECT_EQ(report["drills"][0]["name"], "mine");
   EXPECT_EQ(report["drills"][0]["version"], 5);
@@ -77,9 +74,8 @@ TEST(DrillCommand, WritesAReplayOfEachFailedTry) {
   for (const char* seed : {"1", "2", "3"}) {
     const std::string path = folder / (std::string("failed/idle-mine-") + seed);
     EXPECT_TRUE(std::filesystem::exists(path + ".html"));
-    EXPECT_NE(read_file(folder / "failed/index.html")
-                  .find(std::string("href=\"./idle-mine-") + seed + ".html\""),
-              std::string::npos);
+    EXPECT_TRUE(contains(read_file(folder / "failed/index.html"),
+                         std::string("href=\"./idle-mine-") + seed + ".html\""));
     EXPECT_EQ(run_mirocup({"verify", path + ".json"}).exit_code, 0);
     EXPECT_EQ(run_mirocup({"rerun", path + ".json"}).exit_code, 0);
     EXPECT_EQ(read_json(path + ".json")["isolation"], why_no_t2().empty() ? "T2" : "T1");
@@ -91,9 +87,8 @@ TEST(DrillCommand, WritesAReplayOfEachFailedTry) {
 TEST(DrillCommand, GradesSeveralTeamsIntoOneCsvEvenIfOneDies) {
   const TemporaryFolder folder;
   std::ofstream(folder / "mine.json") << own_drill;
-  const Outcome tried =
-      drill({folder / "mine.json", "+x=chaser", program("teams/gives_up.so"), "--csv"});
-  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  const Outcome tried = expect_exit(
+      0, drill({folder / "mine.json", "+x=chaser", program("teams/gives_up.so"), "--csv"}));
   std::istringstream lines(tried.out);
   std::vector<std::string> rows;
   for (std::string line; std::getline(lines, line);) rows.push_back(line);
@@ -114,9 +109,8 @@ TEST(DrillCommand, CallsATeamAsItCallsItself) {
   std::ofstream(folder / "mine.json") << too_short;
   const std::string team = folder / "team.so";
   std::filesystem::copy_file(program("teams/draws.so"), team);
-  const Outcome tried = drill({folder / "mine.json", team, "other=" + team, "--json", "--tries",
-                               "1", "--replay", folder / "failed"});
-  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  const Outcome tried = expect_exit(0, drill({folder / "mine.json", team, "other=" + team, "--json",
+                                              "--tries", "1", "--replay", folder / "failed"}));
   const Json teams = Json::parse(tried.out)["teams"];
   EXPECT_EQ(teams[0]["team"], "draws");
   EXPECT_EQ(teams[1]["team"], "other");
@@ -136,28 +130,25 @@ TEST(DrillCommand, TriesTheEntriesOfALeague) {
   league({"submit", folder, "a", program("house/idle.so")});
   write_file(temporary / "c.csv", "team\nc\n");
   league({"team", folder, "--csv", temporary / "c.csv"});
-  const Outcome tried = drill({"touch-the-ball", "--tries", "2", "--csv", "--league", folder});
-  EXPECT_EQ(tried.exit_code, 0);
-  EXPECT_NE(tried.out.find("\na,touch-the-ball,0.0,"), std::string::npos)
-      << "the last entry: " << tried.out;
+  const Outcome tried =
+      expect_exit(0, drill({"touch-the-ball", "--tries", "2", "--csv", "--league", folder}));
+  EXPECT_TRUE(contains(tried.out, "\na,touch-the-ball,0.0,")) << "the last entry";
   EXPECT_LT(tried.out.find("\nb,touch-"), tried.out.find("\na,touch-")) << "in the league's order";
   EXPECT_EQ(tried.err, "mirocup: c has no entry\n");
   write_file(temporary / "s.json", R"({"schema": "mirocup/sheet/1", "title": "S", "start": "idle",
     "reference": "striker", "drills": [{"drill": "touch-the-ball", "change": {"tries": 4}}]})");
   write_file(folder + "/sheets.json", R"({"s": {"until": "2019-12-30"}})");
   const Outcome refused = grade({temporary / "s.json", folder, "--csv"});
-  EXPECT_NE(refused.err.find("sheets.json: /s/until: "), std::string::npos) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "sheets.json: /s/until: "));
   write_file(folder + "/sheets.json", R"({"s": {"until": "2019-12-30 00:00", "grace_days": 2,
     "extensions": {"b": "2099-01-01 00:00"}}})");
   const Outcome graded = grade({temporary / "s.json", folder, "--csv"});
-  EXPECT_NE(graded.out.find("\nb,s,100.0,"), std::string::npos) << graded.out << graded.err;
-  EXPECT_NE(graded.out.find("no entry was accepted,0.0\nc,s,"), std::string::npos) << "of a";
+  EXPECT_TRUE(contains(graded.out, "\nb,s,100.0,")) << graded.err;
+  EXPECT_TRUE(contains(graded.out, "no entry was accepted,0.0\nc,s,")) << "of a";
   write_file(temporary / "s.csv", graded.out);
   league({"grades", folder, "--drills", temporary / "s.csv", "--release"});
   EXPECT_EQ(read_json(folder + "/marks/sheets/b.json")["s"], "100.0");
-  const Outcome wrong = drill({"touch-the-ball", "--league", temporary / "x"});
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("is not a league"), std::string::npos) << wrong.err;
+  expect_exit(2, drill({"touch-the-ball", "--league", temporary / "x"}), "is not a league");
 }
 
 // Catches a scale that does not run from start to reference, weights that do not count, a broken
@@ -176,8 +167,7 @@ TEST(Grade, RunsFromStartToReferenceWhateverIsBroken) {
   std::vector<std::string> words{sheet("striker"),  "idle",     "striker",
                                  "b=chaser",        "--csv",    program("teams/gives_up.so"),
                                  folder / "bad.so", "x=none.so"};
-  const Outcome graded = grade(words);
-  EXPECT_EQ(graded.exit_code, 1) << graded.err;
+  const Outcome graded = expect_exit(1, grade(words));
   const auto rows = system::read_csv(graded.out)->rows;
   ASSERT_EQ(rows.size(), 7u) << graded.out;
   EXPECT_EQ(rows[2].cells[2], "100.0");
@@ -191,7 +181,7 @@ TEST(Grade, RunsFromStartToReferenceWhateverIsBroken) {
   EXPECT_NE(grade(words).out, graded.out);
   words.back() = folder / "bad.so";
   EXPECT_EQ(grade(words).exit_code, 2) << "a secret of seven bytes";
-  EXPECT_NE(grade({sheet("idle"), "chaser"}).err.find("s.json: /drills/0: "), std::string::npos);
+  EXPECT_TRUE(contains(grade({sheet("idle"), "chaser"}).err, "s.json: /drills/0: "));
 }
 
 // Catches a start or a reference that decides otherwise in Python than in C++.
@@ -200,19 +190,17 @@ TEST(Grade, GivesBothLanguagesOneScore) {
   for (const std::string sheet : {"driving", "ball", "roles"}) {
     const std::string sources = program("share/mirocup/course/" + sheet);
     const std::string cpp = "course:" + sheet;
-    EXPECT_NE(grade({"list"}).out.find("start in " + sources + "\n"), std::string::npos);
+    EXPECT_TRUE(contains(grade({"list"}).out, "start in " + sources + "\n"));
     Json few = read_json(sources + ".json");
     for (Json& one : few["drills"]) one["change"]["tries"] = 6;
     if (sheet == "roles") few["not_allowed"] = {"irocup", "from mirocup.team"};
     write_file(folder / "few.json", few.dump());
-    const Outcome outcome = grade({folder / "few.json", cpp + "-start", sources + "/start.py",
-                                   cpp + "-reference", sources + "/reference.py", "--json"});
-    ASSERT_EQ(outcome.exit_code, sheet == "roles" ? 1 : 0) << outcome.err << outcome.out;
+    const Outcome outcome = expect_exit(
+        sheet == "roles" ? 1 : 0, grade({folder / "few.json", cpp + "-start", sources + "/start.py",
+                                         cpp + "-reference", sources + "/reference.py", "--json"}));
     const Json teams = Json::parse(outcome.out)["teams"];
     if (sheet == "roles") {
-      EXPECT_NE(outcome.out.find(" has from mirocup.team, which the sheet does not allow"),
-                std::string::npos)
-          << outcome.out;
+      EXPECT_TRUE(contains(outcome.out, " has from mirocup.team, which the sheet does not allow"));
       EXPECT_TRUE(teams[0]["note"].is_null()) << "no source is at hand";
     }
     for (const std::size_t i : {0u, 2u}) EXPECT_EQ(teams[i]["drills"], teams[i + 1]["drills"]);
@@ -224,21 +212,16 @@ TEST(DrillCommand, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   std::ofstream(folder / "bad.json") << R"({"schema": "mirocup/drill/1", "title": 3})";
   EXPECT_EQ(drill({"no-such-drill", "idle"}).exit_code, 2);
-  EXPECT_NE(drill({program("teams/draws.so"), "touch-the-ball"}).err.find("name the drill before"),
-            std::string::npos);
+  EXPECT_TRUE(
+      contains(drill({program("teams/draws.so"), "touch-the-ball"}).err, "name the drill before"));
   EXPECT_EQ(drill({"all"}).exit_code, 2);
   EXPECT_EQ(drill({"turn-the-ball", "no-such-team"}).exit_code, 2);
   EXPECT_EQ(drill({"turn-the-ball", "dds:team"}).exit_code, 2);
-  const Outcome bad = drill({folder / "bad.json", "idle"});
-  EXPECT_EQ(bad.exit_code, 2);
-  EXPECT_NE(bad.err.find("bad.json: /title"), std::string::npos) << bad.err;
+  expect_exit(2, drill({folder / "bad.json", "idle"}), "bad.json: /title");
   std::ofstream(folder / "alone.json")
       << R"({"schema": "mirocup/drill/1", "title": "a", "seconds": 1, "opponent": "nobody",
              "success": [{"event": "goal"}]})";
-  const Outcome alone = drill({folder / "alone.json", "idle"});
-  EXPECT_EQ(alone.exit_code, 2);
-  EXPECT_NE(alone.err.find("alone: /opponent: \"nobody\" is neither"), std::string::npos)
-      << alone.err;
+  expect_exit(2, drill({folder / "alone.json", "idle"}), "alone: /opponent: \"nobody\" is neither");
 }
 
 }  // namespace

@@ -10,12 +10,14 @@
 namespace mirocup {
 namespace {
 
+using namespace test_support;
+
 // Catches a command that vanishes with mirocup-labs, and an answer that does not say how to get it.
 TEST(WithoutLabs, CommandsSayWhatBuildsThem) {
-  const test_support::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string alone = folder / "mirocup";
-  std::filesystem::copy_file(test_support::program("mirocup"), alone);
-  const std::string help = test_support::run({alone, "--help"}).out;
+  std::filesystem::copy_file(program("mirocup"), alone);
+  const std::string help = run({alone, "--help"}).out;
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"bench", "--quick"},
         {"export", "p.npz", "-o", "p.cpp"},
@@ -24,13 +26,13 @@ TEST(WithoutLabs, CommandsSayWhatBuildsThem) {
         {"tune", "mine.so", "--param", "wait=0:1", "--against", "chaser"},
         {"validate", "seen.jsonl"},
         {"new", folder / "mine", "--from-simurosot", "old"}}) {
-    EXPECT_NE(help.find("\n  " + words[0] + " "), std::string::npos) << words[0] << '\n' << help;
+    EXPECT_TRUE(contains(help, "\n  " + words[0] + " ")) << words[0];
     std::vector<std::string> command{alone};
     command.insert(command.end(), words.begin(), words.end());
-    const auto outcome = test_support::run(command);
+    const auto outcome = run(command);
     EXPECT_EQ(outcome.exit_code, 3) << words[0];
     EXPECT_EQ(outcome.out, "") << words[0];
-    EXPECT_NE(outcome.err.find("--target mirocup-labs"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "--target mirocup-labs"));
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "mine"));
 }

@@ -94,12 +94,9 @@ TEST(MatchCommand, GivesEachTeamItsParameters) {
                                    "--param",      "speed=7",   "--param",  "spede=1",
                                    "--blue-param", "speed=5.25"};
     if (trusted) words.emplace_back("--trusted");
-    const Outcome played = run(match(tuned, tuned, words));
-    ASSERT_EQ(played.exit_code, 0) << played.err;
-    EXPECT_NE(played.err.find("warning: no team asked for the parameter spede\n"),
-              std::string::npos)
-        << played.err;
-    EXPECT_EQ(played.err.find("parameter speed"), std::string::npos) << played.err;
+    const Outcome played = expect_exit(0, run(match(tuned, tuned, words)),
+                                       "warning: no team asked for the parameter spede\n");
+    EXPECT_FALSE(contains(played.err, "parameter speed"));
     const auto teams = read_json(folder / "leg.json")["teams"];
     EXPECT_EQ(teams["blue"]["parameters"],
               (nlohmann::ordered_json{{"spede", 1.0}, {"speed", 5.25}}));
@@ -109,8 +106,8 @@ TEST(MatchCommand, GivesEachTeamItsParameters) {
     if (!trusted) {
       log = read_file(folder / "leg.json.blue.log") + read_file(folder / "leg.json.yellow.log");
     }
-    EXPECT_NE(log.find("team 0 turns at 5.25"), std::string::npos) << log;
-    EXPECT_NE(log.find("team 1 turns at 7"), std::string::npos) << log;
+    EXPECT_TRUE(contains(log, "team 0 turns at 5.25"));
+    EXPECT_TRUE(contains(log, "team 1 turns at 7"));
   }
   const Outcome plain = run(match(tuned, "idle", {"--half", "2", "--trusted"}));
   EXPECT_EQ(plain.err, "team 0 turns at 3\n");
@@ -127,7 +124,7 @@ TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
   const auto fails = [](const std::vector<std::string>& words, const std::string& text) {
     const Outcome outcome = run(words);
     EXPECT_EQ(outcome.exit_code, 2) << text;
-    EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, text));
     EXPECT_EQ(outcome.out, "");
   };
   fails(match("nobody", "idle"), "\"nobody\" is neither a file nor a house team");
@@ -144,10 +141,10 @@ TEST(MatchCommand, NamesTheArgumentThatIsWrong) {
 
 // Catches a leg that is played for nothing, because its record has no place.
 TEST(CommandLine, TestsTheOutputBeforeItPlays) {
-  const Outcome outcome = run(match("idle", "idle", {"--record", "/no/such/folder/leg.json"}));
-  EXPECT_EQ(outcome.exit_code, 3);
+  const Outcome outcome =
+      expect_exit(3, run(match("idle", "idle", {"--record", "/no/such/folder/leg.json"})));
   EXPECT_EQ(outcome.out, "") << "nothing was played";
-  EXPECT_NE(outcome.err.find("/no/such/folder"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "/no/such/folder"));
 }
 
 TEST(MatchCommand, WritesNoRecordWhenItIsInterrupted) {
@@ -169,8 +166,7 @@ TEST(RefereeCommand, JudgesARecordWithOtherParameters) {
   EXPECT_EQ(run(referee).exit_code, 0) << "with its own it differs nowhere";
   auto shorter = referee;
   for (const char* word : {"--rule", "half_s=10", "--json"}) shorter.push_back(word);
-  const Outcome outcome = run(shorter);
-  EXPECT_EQ(outcome.exit_code, 1);
+  const Outcome outcome = expect_exit(1, run(shorter));
   const auto answer = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(answer["rules"]["half_s"], 10);
   EXPECT_EQ(answer["differences"][0]["would_be"]["decision"], "HALF_END");
@@ -186,8 +182,7 @@ TEST(VerifyCommand, TellsTruthFromForgeryAndDamage) {
   auto forged = nlohmann::ordered_json::parse(text);
   forged["result"]["score"]["blue"] = 9;
   write_file(folder / "leg.json", forged.dump());
-  Outcome outcome = verify();
-  EXPECT_EQ(outcome.exit_code, 1);
+  Outcome outcome = expect_exit(1, verify());
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["reproduced"], false);
 
   write_file(folder / "leg.json", text.substr(0, text.size() / 2));

@@ -43,8 +43,7 @@ TEST(RerunCommand, FindsTheLibraryByItsDigest) {
 TEST(RerunCommand, NamesTheTeamWhoseCommandsDiffer) {
   const TemporaryFolder folder;
   ASSERT_EQ(play("striker", program("teams/moody.so"), folder / "leg.json").exit_code, 0);
-  const Outcome again = rerun(folder / "leg.json", {"--entries", program("teams")});
-  ASSERT_EQ(again.exit_code, 1) << again.err;
+  const Outcome again = expect_exit(1, rerun(folder / "leg.json", {"--entries", program("teams")}));
   const auto answer = nlohmann::json::parse(again.out);
   EXPECT_EQ(answer["team"], "yellow");
   EXPECT_EQ(answer["tick"], 40) << "the first tick in which it looks at the time";
@@ -54,8 +53,7 @@ TEST(RerunCommand, ReproducesAForfeit) {
   const TemporaryFolder folder;
   ASSERT_EQ(play("striker", program("teams/gives_up.so"), folder / "leg.json").exit_code, 0);
   ASSERT_EQ(read_json(folder / "leg.json")["result"]["end"], "forfeit");
-  const Outcome again = rerun(folder / "leg.json", {"--entries", program("teams")});
-  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+  expect_exit(0, rerun(folder / "leg.json", {"--entries", program("teams")}));
 }
 
 // Catches a rerun that gives the teams other parameters than the record says.
@@ -66,8 +64,7 @@ TEST(RerunCommand, GivesTheTeamsTheirParametersAgain) {
                    "5", "--yellow-param", "speed=9.5", "--record", folder / "leg.json"})
           .exit_code,
       0);
-  const Outcome again = rerun(folder / "leg.json", {"--entries", program("teams")});
-  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+  expect_exit(0, rerun(folder / "leg.json", {"--entries", program("teams")}));
 }
 
 }  // namespace

@@ -87,16 +87,12 @@ TEST(Start, RefusesWhatCannotBePlayed) {
   const TemporaryFolder folder;
   std::ofstream(folder / "s.json") << R"({"schema": "mirocup/situation/1", "league": "middle"})";
   EXPECT_EQ(play_match("idle", "idle", {"--start", folder / "none.json"}).exit_code, 3);
-  const Outcome league =
-      play_match("idle", "idle", {"--start", folder / "s.json", "--league", "small"});
-  EXPECT_EQ(league.exit_code, 2);
-  EXPECT_NE(league.err.find("of the middle league"), std::string::npos);
+  expect_exit(2, play_match("idle", "idle", {"--start", folder / "s.json", "--league", "small"}),
+              "of the middle league");
   ASSERT_EQ(play_match("idle", "idle", {"--half", "1", "--record", folder / "leg.json"}).exit_code,
             0);
-  const Outcome late =
-      play_match("idle", "idle", {"--from", folder / "leg.json", "--tick", "9999"});
-  EXPECT_EQ(late.exit_code, 2);
-  EXPECT_NE(late.err.find("--tick is at most"), std::string::npos);
+  expect_exit(2, play_match("idle", "idle", {"--from", folder / "leg.json", "--tick", "9999"}),
+              "--tick is at most");
   EXPECT_EQ(play_match("idle", "idle", {"--from", folder / "leg.json"}).exit_code, 2);
   EXPECT_EQ(
       play_match("idle", "idle", {"--from", folder / "leg.json", "--tick", "1", "--seed", "2"})

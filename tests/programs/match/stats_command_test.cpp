@@ -37,8 +37,7 @@ class StatsCommand : public testing::Test {
 
 // Catches a goal that is missing, and statistics that do not follow from the record.
 TEST_F(StatsCommand, TellsTheGoalsOfTheRecord) {
-  const Outcome printed = stats({records_[0], records_[1], "--json"});
-  ASSERT_EQ(printed.exit_code, 0) << printed.err;
+  const Outcome printed = expect_exit(0, stats({records_[0], records_[1], "--json"}));
   const Json json = Json::parse(printed.out);
   EXPECT_EQ(json["schema"], "mirocup/statistics/1");
   ASSERT_EQ(json["legs"].size(), 2u);
@@ -64,10 +63,9 @@ TEST_F(StatsCommand, TellsTheGoalsOfTheRecord) {
 
 // Catches a filter that leaves nothing out, or the legs of the team itself.
 TEST_F(StatsCommand, TellsOfOneTeam) {
-  const Outcome one = stats({records_[0], "--goals", "--team", "chaser"});
-  EXPECT_EQ(one.exit_code, 0) << one.err;
+  const Outcome one = expect_exit(0, stats({records_[0], "--goals", "--team", "chaser"}));
   EXPECT_EQ(one.out.rfind("chaser, 1 leg: ", 0), 0u);
-  EXPECT_EQ(one.out.find("striker, 1 leg: "), std::string::npos);
+  EXPECT_FALSE(contains(one.out, "striker, 1 leg: "));
   EXPECT_EQ(stats({records_[0], "--team", "keeper"}).exit_code, 2);
   EXPECT_EQ(Json::parse(stats({records_[0], "--json", "--team", "striker"}).out)["legs"].size(),
             1u);
@@ -78,10 +76,9 @@ TEST_F(StatsCommand, ReportsDamageMissingFilesAndWrongUsage) {
   std::string text = read_file(records_[1]);
   text[text.size() / 2] ^= 1;
   write_file(records_[1], text);
-  const Outcome damaged = stats({records_[0], records_[1], "--csv"});
-  EXPECT_EQ(damaged.exit_code, 4);
+  const Outcome damaged = expect_exit(4, stats({records_[0], records_[1], "--csv"}));
   EXPECT_EQ(damaged.out, "");
-  EXPECT_NE(damaged.err.find("leg3.json"), std::string::npos) << damaged.err;
+  EXPECT_TRUE(contains(damaged.err, "leg3.json"));
   EXPECT_EQ(stats({folder_ / "nothing.json"}).exit_code, 3);
   EXPECT_EQ(stats({records_[0], "--csv", "--json"}).exit_code, 2);
   EXPECT_EQ(stats({}).exit_code, 2);
@@ -96,9 +93,8 @@ TEST_F(StatsCommand, CoachSaysUntilWhenEachGoalCouldBePrevented) {
   const std::string record = folder_ / "lost.json";
   run_mirocup({"match", "--blue", "striker", "--yellow", "idle", "--half", "12", "--seed", "3",
                "--record", record, "--trusted"});
-  const Outcome twice =
-      run_mirocup({"coach", "--all", record, record, "--team", "idle", "--goal", "1", "--json"});
-  ASSERT_EQ(twice.exit_code, 0) << twice.err;
+  const Outcome twice = expect_exit(0, run_mirocup({"coach", "--all", record, record, "--team",
+                                                    "idle", "--goal", "1", "--json"}));
   const Json goals = Json::parse(twice.out)["goals"];
   ASSERT_EQ(goals.size(), 2u);
   EXPECT_EQ(goals[0], goals[1]);
@@ -114,7 +110,7 @@ TEST_F(StatsCommand, CoachSaysUntilWhenEachGoalCouldBePrevented) {
   std::filesystem::copy(program("house/chaser.so"), library);
   const Outcome distrusted =
       run_mirocup({"coach", record, "--team", "yellow", "--substitute", library});
-  EXPECT_NE(distrusted.err.find("give --trusted"), std::string::npos) << distrusted.err;
+  EXPECT_TRUE(contains(distrusted.err, "give --trusted"));
 }
 
 }  // namespace

@@ -32,8 +32,7 @@ TEST(Surroundings, WithoutProcArePutIntoASentence) {
   if (!may_mount()) GTEST_SKIP() << "no mounts are allowed here";
   for (const Words& asked : {Words{program("mirocup"), "match", "--blue", "idle"},
                              Words{program("mirocup-league"), "status", "nowhere"}}) {
-    const Outcome told = run(in_own_mounts("umount -l /proc") + asked);
-    EXPECT_EQ(told.exit_code, 3);
+    const Outcome told = expect_exit(3, run(in_own_mounts("umount -l /proc") + asked));
     EXPECT_EQ(told.err, "mirocup: /proc is not mounted here: mirocup cannot run without it\n");
   }
 }
@@ -46,11 +45,11 @@ TEST(Surroundings, WithoutTimeZonesNameThePackage) {
              R"({"schema": "mirocup/league/1", "format": {"kind": "nightly"},
                  "freeze": "2027-02-01T12:00:00", "zone": "Europe/Berlin",
                  "teams": [{"name": "a", "entry": "house:idle"}]})");
-  const Outcome told = run(in_own_mounts("mount --bind /proc /usr/share && ls / >/dev/null") +
-                           Words{program("mirocup-league"), "init", folder / "league", "--config",
-                                 folder / "league.json"});
-  EXPECT_EQ(told.exit_code, 3);
-  EXPECT_NE(told.err.find("Debian's package is tzdata"), std::string::npos) << told.err;
+  expect_exit(3,
+              run(in_own_mounts("mount --bind /proc /usr/share && ls / >/dev/null") +
+                  Words{program("mirocup-league"), "init", folder / "league", "--config",
+                        folder / "league.json"}),
+              "Debian's package is tzdata");
 }
 
 // Catches SIGXFSZ: a program that dies without a word.
@@ -60,12 +59,10 @@ TEST(Surroundings, WithASmallFileLimitSayWhichFileIsTooLarge) {
                          folder / "leg.json"})
                 .exit_code,
             0);
-  const Outcome told =
-      run({"/bin/bash", "-c", "ulimit -f 16; exec \"$0\" \"$@\"", program("mirocup"), "replay",
-           folder / "leg.json", "-o", folder / "page.html"});
-  EXPECT_EQ(told.exit_code, 3);
-  EXPECT_NE(told.err.find("page.html cannot be written: File too large"), std::string::npos)
-      << told.err;
+  expect_exit(3,
+              run({"/bin/bash", "-c", "ulimit -f 16; exec \"$0\" \"$@\"", program("mirocup"),
+                   "replay", folder / "leg.json", "-o", folder / "page.html"}),
+              "page.html cannot be written: File too large");
 }
 
 // Catches a root that plays nothing, because it may not become another user; and a weaker tier of
@@ -76,13 +73,11 @@ TEST(Surroundings, OfARootWithoutRightsPlayInT1AndSaySo) {
   const Words without_rights{"/usr/bin/setpriv", "--bounding-set=-all", "--inh-caps=-all"};
   const Words leg{program("mirocup"), "match", "--blue",   "chaser",           "--yellow", "idle",
                   "--half",           "1",     "--record", folder / "leg.json"};
-  const Outcome played = run(without_rights + leg);
-  EXPECT_EQ(played.exit_code, 0) << played.err;
+  const Outcome played = expect_exit(0, run(without_rights + leg));
   EXPECT_EQ(read_json(folder / "leg.json")["isolation"], "T1");
-  EXPECT_NE(played.err.find("teams play in tier T1, not T2: "), std::string::npos) << played.err;
-  const Outcome refused = run(without_rights + leg + Words{"--isolation", "T2"});
-  EXPECT_EQ(refused.exit_code, 3);
-  EXPECT_NE(refused.err.find("this system allows T1 only: "), std::string::npos) << refused.err;
+  EXPECT_TRUE(contains(played.err, "teams play in tier T1, not T2: "));
+  expect_exit(3, run(without_rights + leg + Words{"--isolation", "T2"}),
+              "this system allows T1 only: ");
 }
 
 }  // namespace

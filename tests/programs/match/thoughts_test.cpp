@@ -43,8 +43,7 @@ TEST(Thoughts, AreKeptBesideTheRecordAndChangeNothing) {
     if (is_trusted) more.emplace_back("--trusted");
     const auto outcome = run(drawing_match(folder, more));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("shapes of the blue team's thoughts were left out"),
-              std::string::npos);
+    EXPECT_TRUE(contains(outcome.err, "shapes of the blue team's thoughts were left out"));
     const auto record = read_json(folder / "leg.json");
     const auto thoughts = thoughts_in(folder / "leg.blue.thoughts.zst");
     const std::size_t ticks = record["ticks"].get<std::size_t>();
@@ -92,7 +91,7 @@ TEST(Thoughts, OfHouseTeamsTellTheirPlansAndChangeNothing) {
     words.emplace_back("--thoughts");
     const auto outcome = run(words);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err.find("left out"), std::string::npos) << team;
+    EXPECT_FALSE(contains(outcome.err, "left out")) << team;
     EXPECT_EQ(read_json(folder / "leg.json")["state_hash"], hash) << team;
     std::set<std::string> drawn;
     std::map<std::size_t, std::size_t> roles;  // by tick
@@ -170,10 +169,10 @@ TEST(Thoughts, AreOnPagesThatAreNotPublic) {
   ASSERT_EQ(run_mirocup({"replay", record, "-o", folder / "own.html"}).exit_code, 0);
   ASSERT_EQ(run_mirocup({"replay", record, "--public", "-o", folder / "all.html"}).exit_code, 0);
   const std::string own = read_file(folder / "own.html"), all = read_file(folder / "all.html");
-  EXPECT_NE(own.find("\"thoughts\":"), std::string::npos);
-  EXPECT_NE(own.find("to myself"), std::string::npos);
-  EXPECT_EQ(all.find("\"thoughts\":"), std::string::npos);
-  EXPECT_EQ(all.find("to myself"), std::string::npos);
+  EXPECT_TRUE(contains(own, "\"thoughts\":"));
+  EXPECT_TRUE(contains(own, "to myself"));
+  EXPECT_FALSE(contains(all, "\"thoughts\":"));
+  EXPECT_FALSE(contains(all, "to myself"));
 }
 
 }  // namespace

@@ -15,6 +15,8 @@
 namespace mirocup {
 namespace {
 
+using namespace test_support;
+
 std::vector<std::string> words_in(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> words;
@@ -24,7 +26,7 @@ std::vector<std::string> words_in(const std::string& text) {
 
 TEST(WrongLines, AreAnsweredWithOneSentenceThatSaysWhatToType) {
   std::istringstream lines(
-      test_support::read_file(MIROCUP_SOURCE_FOLDER "/tests/programs/match/wrong_lines.txt"));
+      read_file(MIROCUP_SOURCE_FOLDER "/tests/programs/match/wrong_lines.txt"));
   int count = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line[0] == '#') continue;
@@ -34,17 +36,17 @@ TEST(WrongLines, AreAnsweredWithOneSentenceThatSaysWhatToType) {
     std::getline(columns, arguments, '\t');
     std::getline(columns, sentence);
     std::vector<std::string> words = words_in(arguments);
-    words.insert(words.begin(), test_support::program("mirocup"));
-    const auto outcome = test_support::run(words);
+    words.insert(words.begin(), program("mirocup"));
+    const auto outcome = run(words);
     EXPECT_EQ(outcome.exit_code, std::stoi(code)) << arguments;
     EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << arguments << '\n' << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, sentence)) << arguments;
     EXPECT_EQ(outcome.err.rfind("mirocup", 0), 0u) << arguments << '\n' << outcome.err;
     // A second line only says where to read on.
     const auto ends = std::count(outcome.err.begin(), outcome.err.end(), '\n');
     EXPECT_LE(ends, outcome.err.find("\nSee mirocup") == std::string::npos ? 1 : 2) << arguments;
     for (const char* foreign : {"exception", "[json", "terminate", "std::", "CLI::", "TEXT"})
-      EXPECT_EQ(outcome.err.find(foreign), std::string::npos) << arguments << '\n' << outcome.err;
+      EXPECT_FALSE(contains(outcome.err, foreign)) << arguments;
     ++count;
   }
   EXPECT_GE(count, 100);
@@ -62,28 +64,28 @@ TEST(WrongLines, NoOptionTakesForANumberWhatIsNone) {
     std::erase(part, '\\');
     return part;
   };
-  const test_support::TemporaryFolder folder;
+  const TemporaryFolder folder;
   for (const char* name : {"mirocup", "mirocup-league"})
-    EXPECT_EQ(test_support::run({test_support::program(name), "man", folder / ""}).exit_code, 0);
+    EXPECT_EQ(run({program(name), "man", folder / ""}).exit_code, 0);
   int options = 0;
   for (const auto& page : std::filesystem::directory_iterator(folder / "")) {
     std::string command = page.path().stem().string();
     const bool is_of_league = command.starts_with("mirocup-league-");
     command.erase(0, std::string(is_of_league ? "mirocup-league-" : "mirocup-").size());
-    std::istringstream lines(test_support::read_file(page.path()));
+    std::istringstream lines(read_file(page.path()));
     for (std::string line; std::getline(lines, line);) {
       std::string option = between(line, "\\fB");
       if (!line.starts_with("\\fB") || !numbers.contains(between(line, "\\fI"))) continue;
       option.erase(0, option.find("--"));
       ++options;
       for (const char* wrong : {"nan", "-inf", "1e999", "0x1p3", " 5"}) {
-        std::vector<std::string> words{test_support::program("mirocup")};
+        std::vector<std::string> words{program("mirocup")};
         if (is_of_league) words.emplace_back("league");
         words.insert(words.end(), {command, option + "=" + wrong});
-        const auto told = test_support::run(words);
+        const auto told = run(words);
         EXPECT_EQ(told.exit_code, 2) << command << ' ' << option << ' ' << wrong;
-        EXPECT_NE(told.err.find(": " + option), std::string::npos) << command << ' ' << told.err;
-        EXPECT_EQ(told.err.find("missing"), std::string::npos) << command << ' ' << told.err;
+        EXPECT_TRUE(contains(told.err, ": " + option)) << command;
+        EXPECT_FALSE(contains(told.err, "missing")) << command;
       }
     }
   }
@@ -93,44 +95,43 @@ TEST(WrongLines, NoOptionTakesForANumberWhatIsNone) {
 // Catches the help of a whole program where that of one of its commands was asked for.
 TEST(WrongLines, HelpExplainsACommandOfALeague) {
   const auto help = [](std::vector<std::string> words) {
-    words.insert(words.begin(), {test_support::program("mirocup"), "help"});
-    return test_support::run(words).out;
+    words.insert(words.begin(), {program("mirocup"), "help"});
+    return run(words).out;
   };
-  EXPECT_NE(help({"league", "status"}).find("mirocup league status [OPTIONS] DIR"),
-            std::string::npos);
-  EXPECT_NE(help({"league"}).find("mirocup league [OPTIONS] COMMAND"), std::string::npos);
-  EXPECT_NE(help({"match"}).find("mirocup match [OPTIONS]"), std::string::npos);
+  EXPECT_TRUE(contains(help({"league", "status"}), "mirocup league status [OPTIONS] DIR"));
+  EXPECT_TRUE(contains(help({"league"}), "mirocup league [OPTIONS] COMMAND"));
+  EXPECT_TRUE(contains(help({"match"}), "mirocup match [OPTIONS]"));
 }
 
 // Catches a completion that does not know a command, a value or a house team, and a page of the
 // manual that is missing.
 TEST(WrongLines, CompletionAndManualKnowWhatTheHelpKnows) {
   const auto asked = [](std::vector<std::string> words) {
-    words.insert(words.begin(), {test_support::program("mirocup"), "complete"});
-    return test_support::run(words).out;
+    words.insert(words.begin(), {program("mirocup"), "complete"});
+    return run(words).out;
   };
-  EXPECT_NE(asked({"ma"}).find("match\t"), std::string::npos);
-  EXPECT_NE(asked({"match", "--league", "m"}).find("middle\t"), std::string::npos);
-  EXPECT_EQ(asked({"match", "--league", "m"}).find("small"), std::string::npos);
+  EXPECT_TRUE(contains(asked({"ma"}), "match\t"));
+  EXPECT_TRUE(contains(asked({"match", "--league", "m"}), "middle\t"));
+  EXPECT_FALSE(contains(asked({"match", "--league", "m"}), "small"));
   const std::string teams = asked({"match", "--blue", ""});
-  EXPECT_NE(teams.find("striker\t"), std::string::npos);
-  EXPECT_NE(teams.find(":files"), std::string::npos);
-  EXPECT_NE(asked({"replay", "--o"}).find("--open\t"), std::string::npos);
-  EXPECT_NE(asked({"league", "st"}).find("start\t"), std::string::npos);
-  EXPECT_NE(asked({"league", "start", "--engine", ""}).find("slurm\t"), std::string::npos);
-  EXPECT_NE(asked({"verify", ""}).find(":files"), std::string::npos);
+  EXPECT_TRUE(contains(teams, "striker\t"));
+  EXPECT_TRUE(contains(teams, ":files"));
+  EXPECT_TRUE(contains(asked({"replay", "--o"}), "--open\t"));
+  EXPECT_TRUE(contains(asked({"league", "st"}), "start\t"));
+  EXPECT_TRUE(contains(asked({"league", "start", "--engine", ""}), "slurm\t"));
+  EXPECT_TRUE(contains(asked({"verify", ""}), ":files"));
 
-  const test_support::TemporaryFolder folder;
-  EXPECT_EQ(test_support::run({"/usr/bin/env", "SOURCE_DATE_EPOCH=1000000000",
-                               test_support::program("mirocup"), "man", folder / ""})
-                .exit_code,
-            0);
-  const std::string page = test_support::read_file(folder / "mirocup-match.1");
+  const TemporaryFolder folder;
+  EXPECT_EQ(
+      run({"/usr/bin/env", "SOURCE_DATE_EPOCH=1000000000", program("mirocup"), "man", folder / ""})
+          .exit_code,
+      0);
+  const std::string page = read_file(folder / "mirocup-match.1");
   for (const char* part : {".TH MIROCUP-MATCH 1 2001-09-09 ", "\\-\\-league", ".SH EXAMPLES"})
-    EXPECT_NE(page.find(part), std::string::npos) << part;
+    EXPECT_TRUE(contains(page, part)) << part;
   if (!std::filesystem::exists("/usr/bin/mandoc")) return;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "")) {
-    const auto said = test_support::run({"/usr/bin/mandoc", "-Tlint", "-Wwarning", entry.path()});
+    const auto said = run({"/usr/bin/mandoc", "-Tlint", "-Wwarning", entry.path()});
     EXPECT_EQ(said.exit_code, 0) << said.out << said.err;
   }
 }

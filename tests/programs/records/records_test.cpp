@@ -51,8 +51,7 @@ void expect_valid(const std::vector<std::string>& records) {
   std::vector<std::string> words{source + "/tests/programs/records/schema.py",
                                  source + "/record/record.schema.json"};
   words.insert(words.end(), records.begin(), records.end());
-  const Outcome outcome = run(words);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run(words));
 }
 
 TEST(Records, FitTheSchemaAndVerifyForEveryEnding) {
@@ -85,8 +84,7 @@ TEST(Records, FilesThatPeopleWriteFitTheirSchema) {
     for (const auto& file : std::filesystem::recursive_directory_iterator(source + folder))
       if (file.path().extension() == ".json") words.push_back(file.path());
   }
-  const Outcome outcome = run(words);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(0, run(words));
   EXPECT_GE(std::atoi(outcome.out.c_str()), 34) << outcome.out;
 }
 
@@ -114,8 +112,7 @@ TEST(Records, HaveTheKeysThatTheirDocumentationDescribes) {
     record.from = record::PlayedOnFrom{.tick = 1, .state_hash = 2, .teams = {"a", "b"}};
     ASSERT_TRUE(record::save(disk, words.back(), record));
   }
-  const Outcome outcome = run(words);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run(words));
 }
 
 // The flat form is the one that core-only builds of other compilers read.
@@ -145,7 +142,7 @@ TEST(Records, AreReadAsTheSampleHasThem) {
   if (verified.exit_code == 0) return;
   EXPECT_NE(loaded->software.behaviour_hash, behaviour_hash) << verified.out << verified.err;
   EXPECT_EQ(verified.exit_code, 4) << path;
-  EXPECT_NE(verified.err.find("another version of the game"), std::string::npos) << verified.err;
+  EXPECT_TRUE(contains(verified.err, "another version of the game"));
 }
 
 // Catches a record of another version that no module verifies, a module that is used although this
@@ -170,7 +167,7 @@ TEST(Records, OfAnotherVersionAreVerifiedByItsModule) {
     const auto found = record::verify_by_module(disk, path, played);
     return found ? "" : found.error().what;
   };
-  EXPECT_NE(refusal().find("does not exist"), std::string::npos) << refusal();
+  EXPECT_TRUE(contains(refusal(), "does not exist"));
 
   // The module of that version is this one with another name.
   std::string module = read_file(own);
@@ -181,28 +178,25 @@ TEST(Records, OfAnotherVersionAreVerifiedByItsModule) {
   const std::string script = "require('fs').writeFileSync('" + (folder / "ran") + "', '');\n";
   for (const char* name : {"/mirocup.js", "/verify.mjs", "/node_modules/fzstd/index.js"})
     write_file(home + name, script);
-  EXPECT_NE(refusal().find("--trust-programs"), std::string::npos) << refusal();
+  EXPECT_TRUE(contains(refusal(), "--trust-programs"));
   EXPECT_EQ(record::trust_modules(disk, league)->size(), 1u);
   EXPECT_EQ(refusal(), "");
   EXPECT_FALSE(*record::verify_by_module(disk, path, played)) << "it is reproduced";
 
   played.recording.ticks[3].hash ^= 1;
   ASSERT_TRUE(record::save(disk, path, played));
-  const Outcome differs = verify(path);
-  EXPECT_EQ(differs.exit_code, 1) << differs.err;
-  EXPECT_NE(differs.out.find("differs from tick 3 on"), std::string::npos) << differs.out;
-  EXPECT_NE(differs.err.find("whose module verifies it"), std::string::npos) << differs.err;
+  const Outcome differs = expect_exit(1, verify(path));
+  EXPECT_TRUE(contains(differs.out, "differs from tick 3 on"));
+  EXPECT_TRUE(contains(differs.err, "whose module verifies it"));
   EXPECT_FALSE(std::filesystem::exists(folder / "ran"));
 
   std::filesystem::permissions(folder / "state/mirocup/programs", std::filesystem::perms::all);
-  const Outcome open = verify(path);
-  EXPECT_EQ(open.exit_code, 4);
-  EXPECT_NE(open.err.find("may be written by others"), std::string::npos) << open.err;
-  EXPECT_NE(open.err.find("use the program that played it"), std::string::npos) << open.err;
+  const Outcome open = expect_exit(4, verify(path), "may be written by others");
+  EXPECT_TRUE(contains(open.err, "use the program that played it"));
   std::filesystem::remove_all(folder / "state");
   write_file(home + "/mirocup.wasm", "no module");
   EXPECT_TRUE(record::trust_modules(disk, league));
-  EXPECT_NE(refusal().find("does not verify it"), std::string::npos) << refusal();
+  EXPECT_TRUE(contains(refusal(), "does not verify it"));
 
   // A module of a stranger in the place of this program's one does not stay.
   const std::string of_own = league + "/programs/" + own_game;
@@ -267,13 +261,11 @@ TEST(Records, AreNotCalledWrongIfTheBehaviourHasChanged) {
   record.software.behaviour_hash = "0123456789abcdef";
   record.software.version = "0.0.9";
   ASSERT_TRUE(record::save(disk, path, record));
-  const Outcome verified = verify(path);
-  EXPECT_EQ(verified.exit_code, 4);
+  const Outcome verified = expect_exit(4, verify(path));
   for (const char* part : {"leg.json", "0123456789abcdef", "mirocup 0.0.9", "from tick 30 on"}) {
-    EXPECT_NE(verified.err.find(part), std::string::npos) << verified.err;
+    EXPECT_TRUE(contains(verified.err, part));
   }
-  const Outcome page = run_mirocup({"replay", path, "-o", folder / "leg.html"});
-  EXPECT_EQ(page.exit_code, 4);
+  expect_exit(4, run_mirocup({"replay", path, "-o", folder / "leg.html"}));
   EXPECT_FALSE(std::filesystem::exists(folder / "leg.html"));
 
   // A leg that both versions play identically is reproduced.

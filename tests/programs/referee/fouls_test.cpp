@@ -82,12 +82,10 @@ const std::set<std::pair<std::string, std::string>> expected{
 TEST(Fouls, AreAllCalledInOneMatch) {
   const TemporaryFolder folder;
   const std::string fouls = program("teams/fouls.so");
-  const Outcome played =
-      run(leg(folder / "leg.json", fouls, fouls,
-              {"--league", "middle", "--half", "70", "--rule", "stalemate_s=6", "--rule",
-               "keeper_hold_s=4", "--rule", "golden_goal_s=20", "--rule", "pa_att_max=3", "--rule",
-               "collision_mps=1", "--rule", "wall_push=true"}));
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run(leg(folder / "leg.json", fouls, fouls,
+                         {"--league", "middle", "--half", "70", "--rule", "stalemate_s=6", "--rule",
+                          "keeper_hold_s=4", "--rule", "golden_goal_s=20", "--rule", "pa_att_max=3",
+                          "--rule", "collision_mps=1", "--rule", "wall_push=true"})));
   const Json record = read_json(folder / "leg.json");
   std::set<std::pair<std::string, std::string>> calls;
   for (const Json& d : record["decisions"]) {
@@ -103,8 +101,7 @@ TEST(Fouls, AreAllCalledInOneMatch) {
   }
   EXPECT_EQ(record["result"]["end"], "shoot_out");
   EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
-  const Outcome again = run_mirocup({"rerun", folder / "leg.json", "--entries", program("teams")});
-  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+  expect_exit(0, run_mirocup({"rerun", folder / "leg.json", "--entries", program("teams")}));
 }
 
 TEST(Fouls, HaveLegsForTheEndingsThatExcludeEachOther) {
@@ -117,9 +114,8 @@ TEST(Fouls, HaveLegsForTheEndingsThatExcludeEachOther) {
   };
   for (const auto& [law, words] : legs) {
     const TemporaryFolder folder;
-    const Outcome played =
-        run(leg(folder / "leg.json", law == "lots" ? "idle" : "striker", "idle", words));
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    expect_exit(0,
+                run(leg(folder / "leg.json", law == "lots" ? "idle" : "striker", "idle", words)));
     EXPECT_TRUE(laws_of(read_json(folder / "leg.json")).count(law)) << law;
   }
   EXPECT_EQ(legs.size(), other_ends.size());

@@ -133,8 +133,7 @@ void judge(const std::vector<json>& cases, const std::string& how) {
   std::string traces;
   for (const json& one : cases) traces += one.dump() + "\n";
   write_file(folder / "trace.jsonl", traces);
-  const Outcome outcome = run_mirocup({"referee", folder / "trace.jsonl"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = expect_exit(0, run_mirocup({"referee", folder / "trace.jsonl"}));
   const std::vector<json> verdicts = read_lines(outcome.out);
   ASSERT_EQ(verdicts.size(), cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -173,14 +172,13 @@ TEST(RefereeCommand, RejectsLinesThatAreNotSituations) {
   const TemporaryFolder folder;
   write_file(folder / "t.jsonl",
              "{\"id\": \"a\", \"league\": \"huge\"}\nnothing\n{\"id\": \"c\"}\n");
-  const Outcome outcome = run_mirocup({"referee", folder / "t.jsonl"});
-  EXPECT_EQ(outcome.exit_code, 1);
+  const Outcome outcome = expect_exit(1, run_mirocup({"referee", folder / "t.jsonl"}));
   const std::vector<json> verdicts = read_lines(outcome.out);
   ASSERT_EQ(verdicts.size(), 3u) << "one verdict a line, whatever the line says";
   EXPECT_EQ(verdicts[0]["decision"], "REJECTED");
   EXPECT_EQ(verdicts[1]["decision"], "REJECTED");
   EXPECT_EQ(verdicts[2]["decision"], "NONE");
-  EXPECT_NE(outcome.err.find("t.jsonl:1: /league"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "t.jsonl:1: /league"));
   EXPECT_EQ(run_mirocup({"referee", folder / "no.jsonl"}).exit_code, 3);
 }
 

@@ -42,8 +42,7 @@ TEST_P(Honest, PlaysTheSameEverywhere) {
         program("mirocup"), "match",  "--blue", library,    "--yellow",
         "chaser",           "--half", "4",      "--record", folder / "leg.json"};
     words.insert(words.end(), how.begin(), how.end());
-    const Outcome played = run(words);
-    ASSERT_EQ(played.exit_code, 0) << played.err;
+    expect_exit(0, run(words));
     const auto record = read_json(folder / "leg.json");
     EXPECT_EQ(record["result"]["end"], "full_time") << record["result"].dump();
     if (hash.empty()) hash = record["state_hash"].get<std::string>();
@@ -51,7 +50,7 @@ TEST_P(Honest, PlaysTheSameEverywhere) {
     EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
     if (how.front() == "--trusted") continue;
     const std::string log = read_file(folder / "leg.json.blue.log");
-    EXPECT_NE(log.find(GetParam().says), std::string::npos) << log;
+    EXPECT_TRUE(contains(log, GetParam().says));
   }
   if (!why_no_t2().empty()) GTEST_SKIP() << why_no_t2();
 }

@@ -41,12 +41,10 @@ std::vector<std::string> match(const std::string& blue, const std::string& recor
 
 void expect_no_load(const std::string& library, const std::string& why) {
   const TemporaryFolder folder;
-  const Outcome played = run(match(library, folder / "leg.json"));
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run(match(library, folder / "leg.json")));
   const Json result = read_json(folder / "leg.json")["result"];
   EXPECT_EQ(result["fault"]["code"], "no_load");
-  EXPECT_NE(result["fault"]["text"].get<std::string>().find(why), std::string::npos)
-      << result.dump();
+  EXPECT_TRUE(contains(result["fault"]["text"].get<std::string>(), why)) << result.dump();
 }
 
 // Catches an open() that waits for the other end of a pipe, a link that is followed, and a file
@@ -97,8 +95,7 @@ TEST(HostileEntry, FileThatChangesPlaysAsItWasHashed) {
   std::string hash_of_good;
   std::string hash_of_bad;
   for (int i = 0; i < 20; ++i) {
-    const Outcome played = run(match(folder / "entry.so", folder / "leg.json"));
-    EXPECT_EQ(played.exit_code, 0) << played.err;
+    expect_exit(0, run(match(folder / "entry.so", folder / "leg.json")));
     const Json record = read_json(folder / "leg.json");
     const std::string sha256 = record["teams"]["blue"]["sha256"].get<std::string>();
     std::string& hash = record["result"]["fault"].is_null() ? hash_of_good : hash_of_bad;
@@ -139,7 +136,7 @@ TEST(TeamProcess, KilledFromOutsideVoidsTheLeg) {
   EXPECT_EQ(result["end"], "void");
   EXPECT_TRUE(result["fault"].is_null());
   const std::string why = result["why_void"].get<std::string>();
-  EXPECT_NE(why.find("team's process was killed from outside"), std::string::npos) << why;
+  EXPECT_TRUE(contains(why, "team's process was killed from outside"));
 }
 
 class OrphanedTeams {
@@ -266,8 +263,7 @@ TEST(TeamProcess, HasNoLimitOfProcessorTimeButItsBudget) {
   const TemporaryFolder folder;
   auto words = match(program("hostile/slow_bank.so"), folder / "leg.json", "60");
   words.insert(words.begin(), {"/usr/bin/prlimit", "--cpu=1:"});
-  const Outcome played = run(words);
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run(words));
   const Json result = read_json(folder / "leg.json")["result"];
   EXPECT_EQ(result["fault"]["code"], "budget") << "more than 1 s, the limit: " << result.dump();
 }
@@ -275,9 +271,7 @@ TEST(TeamProcess, HasNoLimitOfProcessorTimeButItsBudget) {
 // Catches a bank that counts only when a tick is over.
 TEST(TeamProcess, EndsInTheTickInWhichItsBankIsSpent) {
   const TemporaryFolder folder;
-  const Outcome played =
-      run(match(program("hostile/slow_then_spin.so"), folder / "leg.json", "60"));
-  ASSERT_EQ(played.exit_code, 0) << played.err;
+  expect_exit(0, run(match(program("hostile/slow_then_spin.so"), folder / "leg.json", "60")));
   const Json record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["fault"]["code"], "budget") << record["result"].dump();
   EXPECT_LT(record["budget"]["blue"]["cpu_seconds"], 2.7);
@@ -333,7 +327,7 @@ TEST(TeamProcess, ThatTheKernelEndsForItsMemoryIsNamed) {
   EXPECT_EQ(
       why.rfind("the blue team's process was ended for want of memory when it had taken 1", 0), 0u)
       << why;
-  EXPECT_NE(why.find("a leg may take 2112 MiB"), std::string::npos) << why;
+  EXPECT_TRUE(contains(why, "a leg may take 2112 MiB"));
 }
 
 TEST(HostWithoutNamespaces, PlaysInT1) {
@@ -343,19 +337,15 @@ TEST(HostWithoutNamespaces, PlaysInT1) {
   EXPECT_EQ(run(words).exit_code, 0);
   EXPECT_EQ(read_json(folder / "leg.json")["isolation"], "T1");
   words.insert(words.end(), {"--isolation", "T2"});
-  const Outcome refused = run(words);
-  EXPECT_EQ(refused.exit_code, 3);
-  EXPECT_NE(refused.err.find("T1 only"), std::string::npos) << refused.err;
+  expect_exit(3, run(words), "T1 only");
 }
 
 TEST(HostWithoutLandlock, RefusesToPlayUnlessTrusted) {
   const TemporaryFolder folder;
   auto words = match("chaser", folder / "leg.json");
   words.insert(words.begin(), {program("hostile/without"), "landlock"});
-  const Outcome refused = run(words);
-  EXPECT_EQ(refused.exit_code, 3);
-  EXPECT_NE(refused.err.find("Landlock"), std::string::npos) << refused.err;
-  EXPECT_NE(refused.err.find("--trusted"), std::string::npos) << refused.err;
+  const Outcome refused = expect_exit(3, run(words), "Landlock");
+  EXPECT_TRUE(contains(refused.err, "--trusted"));
   EXPECT_FALSE(fs::exists(folder / "leg.json"));
   words.push_back("--trusted");
   EXPECT_EQ(run(words).exit_code, 0);

@@ -180,11 +180,11 @@ TEST_P(Hostile, HurtsOnlyItself) {
       EXPECT_EQ(result["winner"], other_than(set_up.colour));
     }
     EXPECT_EQ(leg.record["budget"][other_than(set_up.colour)]["bad_commands"], 0);
-    EXPECT_EQ(leg.log.find("GOT THROUGH"), std::string::npos) << leg.log;
-    EXPECT_EQ(leg.log.find(secret), std::string::npos) << leg.log;
+    EXPECT_FALSE(contains(leg.log, "GOT THROUGH"));
+    EXPECT_FALSE(contains(leg.log, secret));
     for (const auto& [name, sign] : signs) {
       if (name != GetParam().name) continue;
-      EXPECT_NE(leg.log.find(sign), std::string::npos) << leg.log;
+      EXPECT_TRUE(contains(leg.log, sign));
     }
     expect_target_is_untouched();
   }
@@ -232,7 +232,7 @@ TEST(HostileTeam, OnBothSidesLosesForBoth) {
 TEST(HostileTeam, LogIsKeptUpToALimit) {
   const Leg leg = play({"T1", User::caller, "blue"}, "log_flood");
   EXPECT_EQ(leg.log.rfind("tick 25: a line that nobody asked for, 0\n", 0), 0u);
-  EXPECT_NE(leg.log.find("bytes are left out here"), std::string::npos);
+  EXPECT_TRUE(contains(leg.log, "bytes are left out here"));
   EXPECT_LE(leg.log.size(), 131072u) << "64 KiB and the ticks of its lines";
 }
 
@@ -283,10 +283,8 @@ TEST_F(RealTime, TakesATeamBackThatAnswersLate) {
 
 TEST(HostileTeam, ExceptionInTheServersOwnProcessIsACrash) {
   const TemporaryFolder folder;
-  const Outcome played =
-      run_mirocup({"match", "--trusted", "--blue", hostile("throw_std"), "--yellow", "idle",
-                   "--half", "2", "--record", folder / "leg.json"});
-  EXPECT_EQ(played.exit_code, 0);
+  expect_exit(0, run_mirocup({"match", "--trusted", "--blue", hostile("throw_std"), "--yellow",
+                              "idle", "--half", "2", "--record", folder / "leg.json"}));
   const auto record = read_json(folder / "leg.json");
   EXPECT_EQ(record["result"]["fault"]["code"], "crash");
   EXPECT_EQ(record["isolation"], "none");

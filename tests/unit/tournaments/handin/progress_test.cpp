@@ -4,6 +4,7 @@
 // move, and a comparison over house teams that only one entry has met.
 #include "tournaments/handin/progress.hpp"
 
+#include "tests/support/contains.hpp"
 #include "tournaments/handin/desk_html.hpp"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@
 
 namespace mirocup::league {
 namespace {
+
+using test_support::contains;
 
 using Json = nlohmann::ordered_json;
 
@@ -52,11 +55,10 @@ TEST(Progress, ComparesEntriesByTheirLegsAgainstHouseTeams) {
   EXPECT_LT(progress[0]["low"].get<double>(), progress[0]["rating"].get<double>());
   EXPECT_EQ(progress[1]["fouls"], 4.5);
   const std::string change = change_in_words(progress);
-  EXPECT_NE(change.find("Entry 4 after entry 2: rating "), std::string::npos) << change;
-  EXPECT_NE(change.find("goals 8 : 1 after 3 : 5, fouls a leg 1.5 after 4.5, slowest tick 0.20 "
-                        "after 0.50 ms."),
-            std::string::npos)
-      << change;
+  EXPECT_TRUE(contains(change, "Entry 4 after entry 2: rating "));
+  EXPECT_TRUE(contains(change,
+                       "goals 8 : 1 after 3 : 5, fouls a leg 1.5 after 4.5, slowest tick 0.20 "
+                       "after 0.50 ms."));
 
   const double before = progress[0]["rating"].get<double>();
   friendlies.push_back(leg(4, "house:striker", 0, 4));
@@ -85,9 +87,8 @@ TEST(Progress, ComparesAnEntryWithTheFormerOneByTheirOwnLegs) {
   const Json progress = progress_of(friendlies, no_drills);
   EXPECT_EQ(progress[0]["former"]["verdict"], "better");
   EXPECT_GT(progress[0]["former"]["low"].get<double>(), 0.0);
-  EXPECT_NE(change_in_words(progress).find("In 20 legs against entry 3: better, difference"),
-            std::string::npos)
-      << change_in_words(progress);
+  EXPECT_TRUE(
+      contains(change_in_words(progress), "In 20 legs against entry 3: better, difference"));
 }
 
 // Catches drills of another entry, marks of two versions of a drill side by side, and a mean over
@@ -104,13 +105,11 @@ TEST(Progress, ComparesTheDrillsThatBothHaveTried) {
   const Json now = marks(50, {{"shoot", 1, 60}, {"save", 1, 30}, {"pass", 1, 40}, {"wait", 2, 70}});
   const Json before =
       marks(40, {{"save", 1, 45}, {"shoot", 1, 20}, {"pass", 1, 40}, {"wait", 1, 0}});
-  EXPECT_NE(change(now, before)
-                .find("goals 3 : 1 after 1 : 3, drills 43.3 after 35.0 (better: shoot "
-                      "60 after 20; worse: save 30 after 45)."),
-            std::string::npos)
-      << change(now, before);
-  EXPECT_NE(change(now, now).find("drills 50.0 after 50.0."), std::string::npos);
-  EXPECT_EQ(change(now, Json()).find("drills"), std::string::npos);
+  EXPECT_TRUE(contains(change(now, before),
+                       "goals 3 : 1 after 1 : 3, drills 43.3 after 35.0 (better: shoot "
+                       "60 after 20; worse: save 30 after 45)."));
+  EXPECT_TRUE(contains(change(now, now), "drills 50.0 after 50.0."));
+  EXPECT_FALSE(contains(change(now, Json()), "drills"));
 }
 
 TEST(Progress, SaysNothingBeforeThereIsAny) {
