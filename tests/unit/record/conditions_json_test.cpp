@@ -22,8 +22,7 @@ using match::ConditionsPreset;
 using Json = nlohmann::ordered_json;
 
 std::string error_of(const std::string& change) {
-  const auto result = conditions_with_changes(ConditionsPreset::hall, {change});
-  return result ? "no error" : result.error().what;
+  return test_support::why_not(conditions_with_changes(ConditionsPreset::hall, {change}));
 }
 
 TEST(ConditionsJson, EveryValueIsReadAsItWasWritten) {

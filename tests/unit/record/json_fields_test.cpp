@@ -2,6 +2,7 @@
 #include "record/json_fields.hpp"
 
 #include "record/touch_fields.hpp"
+#include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,8 +34,7 @@ namespace {
 
 // Returns the problem with a text, "" if it can be read.
 std::string problem_with(const std::string& text) {
-  const auto read = read_json<Sample>(text, "f", Errc::input, read_fields<Sample>);
-  return read ? "" : read.error().what;
+  return test_support::why_not(read_json<Sample>(text, "f", Errc::input, read_fields<Sample>));
 }
 
 // Catches a key that the reader and the writer call differently, and a null that becomes a value.

@@ -10,8 +10,7 @@ namespace mirocup::record {
 namespace {
 
 std::string pitch_error(const std::string& text) {
-  const auto pitch = parse_pitch(text, "p.json");
-  return pitch ? "" : pitch.error().what;
+  return test_support::why_not(parse_pitch(text, "p.json"));
 }
 
 // Catches a number that is written under another key, or lost: then a record could not be verified.

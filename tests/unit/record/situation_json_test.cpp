@@ -21,8 +21,7 @@ ordered_json good_situation() {
 }
 
 std::string error_of(const ordered_json& json) {
-  const auto situation = parse_situation(json.dump(), "s.json");
-  return situation ? "" : situation.error().what;
+  return test_support::why_not(parse_situation(json.dump(), "s.json"));
 }
 
 // Catches a key that is read into another one, or lost.

@@ -23,8 +23,7 @@ Json good_drill() {
 std::string error_with(const char* pointer, const Json& value) {
   Json json = good_drill();
   json[Json::json_pointer(pointer)] = value;
-  const auto drill = parse_drill(json.dump(), "d/my.json");
-  return drill ? "" : drill.error().what;
+  return test_support::why_not(parse_drill(json.dump(), "d/my.json"));
 }
 
 // Catches a key that is lost, or read into another one.

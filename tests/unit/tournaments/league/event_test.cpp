@@ -55,8 +55,7 @@ const std::vector<const char*> line_texts{
     R"({"n":1,"kind":"join","team":"c","source":"house:striker"})"};
 
 std::string error_of_line(const Json& line) {
-  const auto event = read_event(line);
-  return event ? "no error" : event.error().what;
+  return test_support::why_not(read_event(line));
 }
 
 TEST(Event, IsWrittenAsItWasRead) {

@@ -25,9 +25,8 @@ std::string refusal(const std::string& version, const std::string& game) {
   start.version = version;
   start.game = game;
   EXPECT_TRUE(store->write(start));
-  const auto same =
-      expect_program(*store, {.version = "0.1.2", .build = "g++", .behaviour_hash = "beef"});
-  return same ? "" : same.error().what;
+  return test_support::why_not(
+      expect_program(*store, {.version = "0.1.2", .build = "g++", .behaviour_hash = "beef"}));
 }
 
 TEST(Program, IsOfTheVersionInTheJournal) {

@@ -19,6 +19,8 @@
 namespace mirocup::league {
 namespace {
 
+using test_support::contains;
+
 using test_support::MemoryFiles;
 
 LeagueFile three_teams() {
@@ -120,21 +122,20 @@ TEST(Site, ShowsTheStatisticsOfItsLegs) {
   EXPECT_EQ(cell(team, "Play", 3, "Fouls"), "3") << "as yellow";
   EXPECT_EQ(cell(team, "Goals by kind", 2, "rebound"), "1") << "against it";
   EXPECT_EQ(cell(team, "How goals fell against it", 1, "Last restart"), "kick off: toss");
-  EXPECT_NE(team.find("../replays/x.html#t=30.00"), std::string::npos) << "3 s before the goal";
-  EXPECT_EQ(page(site, "teams/a.html").find("How goals fell"), std::string::npos);
-  EXPECT_EQ(page(site, "teams/c.html").find("<h2>Play</h2>"), std::string::npos)
-      << "has not played";
+  EXPECT_TRUE(contains(team, "../replays/x.html#t=30.00")) << "3 s before the goal";
+  EXPECT_FALSE(contains(page(site, "teams/a.html"), "How goals fell"));
+  EXPECT_FALSE(contains(page(site, "teams/c.html"), "<h2>Play</h2>")) << "has not played";
   leg.state_hash ^= 1;
   const auto other = make_site({state_after({{2, 2}}), {{"records/x.json", {{}, leg}}}});
-  EXPECT_EQ(page(other, "index.html").find("<h2>Statistics</h2>"), std::string::npos)
+  EXPECT_FALSE(contains(page(other, "index.html"), "<h2>Statistics</h2>"))
       << "the journal has another leg";
 }
 
 TEST(Site, LetsNoTextBecomeMarkup) {
   const std::string index = page(make_site({state_after({{0, 1}})}), "index.html");
-  EXPECT_EQ(index.find("<script>"), std::string::npos);
-  EXPECT_EQ(index.find("<i>"), std::string::npos);
-  EXPECT_NE(index.find("A &lt;i&gt;title&lt;/i&gt; &amp; more"), std::string::npos);
+  EXPECT_FALSE(contains(index, "<script>"));
+  EXPECT_FALSE(contains(index, "<i>"));
+  EXPECT_TRUE(contains(index, "A &lt;i&gt;title&lt;/i&gt; &amp; more"));
 }
 
 void decide(LeagueState& state, const Event& event) {
@@ -146,7 +147,7 @@ void decide(LeagueState& state, const Event& event) {
 TEST(Decisions, AreListedWithWhatBecameOfThem) {
   LeagueState state = state_after({{0, 1}, {0, 2}, {1, 1}});
   const std::string none = "No person has decided anything";
-  EXPECT_NE(page(make_site({state}), "index.html").find(none), std::string::npos);
+  EXPECT_TRUE(contains(page(make_site({state}), "index.html"), none));
   const std::string at = "2026-11-30T18:00:00Z";
   const auto ids = [&](int fixture) { return state.fixtures[fixture].fixture.id(); };
   const auto voids = [&](int fixture, const std::string& why) {
@@ -203,9 +204,9 @@ TEST(Decisions, AreListedWithWhatBecameOfThem) {
   for (const std::string text :
        {">Decisions</h2>", "&lt;b&gt;too much&lt;/b&gt;", "&lt;i&gt;H&lt;/i&gt;",
         ">overruled by 2</span>", "cable fault", "covered by 8, "}) {
-    EXPECT_NE(index.find(text), std::string::npos) << text;
+    EXPECT_TRUE(contains(index, text)) << text;
   }
-  EXPECT_EQ(index.find("<b>"), std::string::npos);
+  EXPECT_FALSE(contains(index, "<b>"));
   const Json json = Json::parse(page(make_site({state}), "decisions.json"));
   ASSERT_EQ(json["decisions"].size(), 8u);
   EXPECT_EQ(json["decisions"][0]["undone_by"], 2);
@@ -243,8 +244,7 @@ TEST(Decisions, OfLegsOfATeamThatLeavesNoResultsCountForNothing) {
       Withdrawn{
           .team = state.name(f.away), .results = WithdrawnResults::annul, .why = "left", .by = {}});
   const std::string index = page(make_site({state}), "index.html");
-  EXPECT_NE(index.find(">covered by 2, " + state.name(f.away) + " has withdrawn</span>"),
-            std::string::npos);
+  EXPECT_TRUE(contains(index, ">covered by 2, " + state.name(f.away) + " has withdrawn</span>"));
 }
 
 // Plays a tie of a knockout that is level by goals: its third leg ends in that way. Returns the
@@ -269,19 +269,19 @@ std::string page_of_level_tie(LegEnd end, std::optional<std::string> winner,
 // Catches a tie that does not say why one of the teams goes on.
 TEST(Site, SaysWhoWonALevelTie) {
   const std::string by_lot = page_of_level_tie(LegEnd::full_time, std::nullopt);
-  EXPECT_NE(by_lot.find("level: decided by lot for "), std::string::npos) << by_lot;
-  EXPECT_NE(by_lot.find(" won\""), std::string::npos);
+  EXPECT_TRUE(contains(by_lot, "level: decided by lot for "));
+  EXPECT_TRUE(contains(by_lot, " won\""));
   const std::string by_shoot_out = page_of_level_tie(LegEnd::shoot_out, "bob");
-  EXPECT_EQ(by_shoot_out.find("a lot decided"), std::string::npos);
-  EXPECT_NE(by_shoot_out.find("\"away won\""), std::string::npos) << by_shoot_out;
-  EXPECT_EQ(by_shoot_out.find("by lot"), std::string::npos) << by_shoot_out;
+  EXPECT_FALSE(contains(by_shoot_out, "a lot decided"));
+  EXPECT_TRUE(contains(by_shoot_out, "\"away won\""));
+  EXPECT_FALSE(contains(by_shoot_out, "by lot"));
   // The shoot-out was level as well. Catches a bracket that says that it was won.
   KnownLegs legs;
   legs["records/k1-f1-3-1.json"].facts.emplace().shoot_out = HomeAway{.home = 2, .away = 2};
   const std::string level = page_of_level_tie(LegEnd::shoot_out, "bob", legs);
-  EXPECT_NE(level.find("shoot-out, level, won by lot by bob"), std::string::npos) << level;
-  EXPECT_NE(level.find(">by lot</text>"), std::string::npos) << "the bracket";
-  EXPECT_NE(level.find("came further in the knockout, by lot"), std::string::npos) << "the table";
+  EXPECT_TRUE(contains(level, "shoot-out, level, won by lot by bob"));
+  EXPECT_TRUE(contains(level, ">by lot</text>")) << "the bracket";
+  EXPECT_TRUE(contains(level, "came further in the knockout, by lot")) << "the table";
 }
 
 // Catches a term whose crosstable has a line for each leg, and a table that is ordered by a number
@@ -306,28 +306,26 @@ TEST(Site, SumsTheNightsOfATerm) {
   }
   const std::vector<SiteFile> site = make_site({state});
   const std::string front = page(site, "index.html");
-  EXPECT_NE(front.find("<span>8–0–0</span>"), std::string::npos) << front;
-  EXPECT_NE(front.find("<span>16:0</span>"), std::string::npos);
-  EXPECT_NE(front.find("Deadline for entries: 2020-11-30 18:00 UTC."), std::string::npos)
+  EXPECT_TRUE(contains(front, "<span>8–0–0</span>"));
+  EXPECT_TRUE(contains(front, "<span>16:0</span>"));
+  EXPECT_TRUE(contains(front, "Deadline for entries: 2020-11-30 18:00 UTC."))
       << "true before it and after it";
   const TableRow first = state.table()[0];
   const long strength = std::lround(state.ratings().strengths[first.team].value);
   EXPECT_GT(strength, 0);
-  EXPECT_NE(front.find("<td class=\"number points\">" + std::to_string(strength) + "</td>"),
-            std::string::npos);
+  EXPECT_TRUE(contains(front, "<td class=\"number points\">" + std::to_string(strength) + "</td>"));
   // Eve has not handed in.
-  EXPECT_EQ(front.find("class=\"open\""), std::string::npos) << "eight legs decide";
-  EXPECT_NE(front.find("<td class=\"number\">–</td><th scope=\"row\"><a href=\"teams/eve.html\""),
-            std::string::npos);
-  EXPECT_NE(page(site, "teams/eve.html").find("No rank yet"), std::string::npos);
-  EXPECT_NE(page(site, "teams/ada.html").find("Rank 1 of 2,"), std::string::npos);
+  EXPECT_FALSE(contains(front, "class=\"open\"")) << "eight legs decide";
+  EXPECT_TRUE(
+      contains(front, "<td class=\"number\">–</td><th scope=\"row\"><a href=\"teams/eve.html\""));
+  EXPECT_TRUE(contains(page(site, "teams/eve.html"), "No rank yet"));
+  EXPECT_TRUE(contains(page(site, "teams/ada.html"), "Rank 1 of 2,"));
   const std::string csv = page(site, "table.csv");
-  EXPECT_NE(csv.find("\r\n,eve,0,0,0,0,0,0,0,0,0,,,,,,,\r\n"), std::string::npos) << csv;
-  EXPECT_NE(csv.find(",3.0,yes\r\n"), std::string::npos) << csv;
+  EXPECT_TRUE(contains(csv, "\r\n,eve,0,0,0,0,0,0,0,0,0,,,,,,,\r\n"));
+  EXPECT_TRUE(contains(csv, ",3.0,yes\r\n"));
   const auto grades_csv = grades(overview(state), {}, "", "");
   ASSERT_TRUE(grades_csv);
-  EXPECT_NE(grades_csv->bytes.find("\r\n,eve,0,0,,,,,,,,no entry,\r\n"), std::string::npos)
-      << grades_csv->bytes;
+  EXPECT_TRUE(contains(grades_csv->bytes, "\r\n,eve,0,0,,,,,,,,no entry,\r\n"));
 }
 
 TEST(LegFacts, AreThoseOfTheRecordAsTheHomeTeamSeesThem) {
