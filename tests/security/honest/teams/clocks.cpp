@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/security/honest/honest.hpp"
+#include "tests/support/test_team.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -65,7 +65,7 @@ const char* first_wrong_clock() {
 
 }  // namespace
 
-void Honest::decide(const Observation& now, Command& command) {
+void TestTeam::decide(const Observation& now, Command& command) {
   if (now.tick == 10) {
     const char* wrong = first_wrong_clock();
     setup().log(setup().host, wrong == nullptr ? "with clocks" : wrong);

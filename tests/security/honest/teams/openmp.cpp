@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "tests/security/honest/honest.hpp"
+#include "tests/support/test_team.hpp"
 
 #include <omp.h>
 #include <vector>
 
-void Honest::decide(const Observation& now, Command& command) {
+void TestTeam::decide(const Observation& now, Command& command) {
   std::vector<double> values(10000);
 #pragma omp parallel for
   for (int i = 0; i < 10000; ++i) values[static_cast<std::size_t>(i)] = 0.002 * i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/security/honest/honest.hpp"
+#include "tests/support/test_team.hpp"
 
 #include <cfenv>
 
@@ -11,7 +11,7 @@ __attribute__((constructor)) void at_load() {
 
 }  // namespace
 
-void Honest::decide(const Observation& now, Command& command) {
+void TestTeam::decide(const Observation& now, Command& command) {
   std::fesetround(now.tick % 2 == 0 ? FE_UPWARD : FE_TOWARDZERO);
   command.wheels[0] = {20.0, 15.0 + 0.01 * (now.tick % 100)};
   if (now.tick == 0) setup().log(setup().host, "with rounding of its own");

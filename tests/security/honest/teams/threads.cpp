@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/security/honest/honest.hpp"
+#include "tests/support/test_team.hpp"
 
 #include <chrono>
 #include <future>
@@ -14,7 +14,7 @@ std::mutex mutex;
 
 }  // namespace
 
-void Honest::decide(const Observation& now, Command& command) {
+void TestTeam::decide(const Observation& now, Command& command) {
   // Falls back if there are no threads. Random devices and clocks work, but are not advisable.
   try {
     std::async(std::launch::async, [] {}).get();
