@@ -42,7 +42,7 @@ Result<int> run_new(const NewOptions& options) {
   const Words words = template_words(kit, folder);
   std::vector<fs::path> files(fs::directory_iterator{templates}, fs::directory_iterator{});
   // A team in C is built as one in C++.
-  for (const char* name : {"CMakePresets.json", "debug", "watch"}) {
+  for (const char* name : {"CMakePresets.json", "README.md", "debug", "watch"}) {
     if (options.language == "c") files.push_back(fs::path(kit.templates) / "c++" / name);
   }
   for (const fs::path& file : files) MIROCUP_TRY_VOID(write_filled(disk, file, folder, words));
