@@ -19,9 +19,9 @@ blocks() {
 blocks cpp cpp
 blocks python py
 build_line=$(grep -m1 -o '^g++ .* first\.cpp -o first\.so' "$page")
-mapfile -t matches < <(grep '^build/mirocup match --blue ./first.so .* --half 60 --seed 1$' "$page")
-mapfile -t results < <(grep '^first (blue) ' "$page")
-[[ ${#matches[@]} -eq 8 && ${#results[@]} -eq 8 && -f 8.cpp && -f 8.py && ! -f 9.py ]] || {
+match=$(grep -m1 -o '^build/mirocup match --blue ./first.so .* --seed 1' "$page")
+mapfile -t results < <(grep -oP '^\*\*You see\*\* `\Kfirst \(blue\) [^`]*' "$page")
+[[ ${#results[@]} -eq 8 && -f 8.cpp && -f 8.py && ! -f 9.py ]] || {
   echo "first_goal: eight steps with a leg each are expected" >&2
   exit 1
 }
@@ -48,7 +48,9 @@ for step in {1..8}; do
   cp "$step.py" first.py
   eval "${build_line/-Iplugins/$headers} -Wall -Wextra -Werror"
   for team in ./first.so ./first.py; do
-    command=${matches[step - 1]/.\/first.so/$team}
+    opponent=$(grep -oP '\w+(?= \(yellow\))' <<<"${results[step - 1]}")
+    command=${match/.\/first.so/$team}
+    command=${command/--yellow idle/--yellow $opponent}
     played=$("$build/mirocup" ${command#build/mirocup } | tail -1)
     [[ $played == "${results[step - 1]}" ]] || {
       echo "first_goal: step $step, $team: \"$played\", and the page says \"${results[step - 1]}\"" >&2
