@@ -49,13 +49,12 @@ Outcome run(const std::vector<std::string>& arguments);
 // The same of build/mirocup with these arguments.
 Outcome run_mirocup(std::vector<std::string> arguments);
 
-// Expects this exit code and a part of the standard error, and says what the program wrote if it did
-// otherwise.
+// Expects this exit code and a part of the standard error, and says what the program wrote if not.
 inline Outcome expect_exit(int code, Outcome outcome, const std::string& said = "",
                            const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
   if (outcome.exit_code != code || !contains(outcome.err, said)) {
-    ADD_FAILURE_AT(file, line) << "exit code " << outcome.exit_code << " instead of " << code
-                               << ", or not said: " << said << '\n'
+    ADD_FAILURE_AT(file, line) << "expected: exit code " << code << ", and on standard error \""
+                               << said << "\"\nfound: exit code " << outcome.exit_code << '\n'
                                << outcome.out << outcome.err;
   }
   return outcome;
