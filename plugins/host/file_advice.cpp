@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/file_advice.hpp"
 
+#include "plugins/host/sandbox/private_root.hpp"
+#include "system/files.hpp"
+
 #include <algorithm>
 #include <array>
+#include <unistd.h>
 
 namespace mirocup::plugins {
 
@@ -136,6 +140,22 @@ std::string advice_on_missing_entry(std::string_view bytes) {
            "MIROCUP_EXPORT_TEAM(YourClass, \"name\")";
   return "it exports no function mirocup_entry(): write MIROCUP_EXPORT_TEAM(YourClass, \"name\"), "
          "or in C define mirocup_entry()";
+}
+
+std::string sanitizer_of(std::string_view library) {
+  for (const std::string name : {"address", "thread", "memory"})
+    if (library.find("__" + name.substr(0, 1) + "san_init") != std::string_view::npos) return name;
+  return library.find("__ubsan_handle_") != std::string_view::npos ? "undefined" : "";
+}
+
+bool is_in_sandbox(const std::string& name) {
+  if (name.find('/') != std::string::npos) return false;
+  // The cache holds paths that end with a zero.
+  const auto cache = system::Disk().read_named(loader_cache, system::size_limit::system_file);
+  if (cache && cache->find('/' + name + '\0') != std::string::npos) return true;
+  return std::ranges::any_of(library_folders, [&](const std::string folder) {
+    return access((folder + '/' + name).c_str(), F_OK) == 0;
+  });
 }
 
 }  // namespace mirocup::plugins

@@ -42,4 +42,10 @@ std::string_view compile_advice(std::string_view file);
 // function under a C++ name.
 std::string advice_on_missing_entry(std::string_view bytes);
 
+// Returns the sanitizer that a library was built with, as -fsanitize names it, or "".
+std::string sanitizer_of(std::string_view library);
+
+// True if the dynamic loader finds a library of that name in the sandbox.
+bool is_in_sandbox(const std::string& name);
+
 }  // namespace mirocup::plugins
