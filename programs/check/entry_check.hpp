@@ -39,7 +39,6 @@ struct EntryReport {
   double start_ms = 0.0;                     // processor time to load and create the team
   double mean_tick_ms = 0.0;                 // processor time
   double slowest_tick_ms = 0.0;              // processor time
-  double bank_share = 0.0;                   // mean_tick_ms / the time that a tick adds to the bank
   double leg_seconds = 0.0;                  // processor time that a leg of full length would take
   double leg_share = 0.0;                    // leg_seconds / the time that a team has in such a leg
   std::size_t peak_memory = 0;               // bytes
@@ -55,8 +54,7 @@ struct EntryReport {
 
   // The leg as blue against striker, or the leg as yellow in which the entry failed. Empty if that
   // leg was stopped early or not played.
-  std::optional<replay::Recording> gate_leg;
-  Team gate_colour = Team::blue;
+  std::optional<std::pair<Team, replay::Recording>> gate_leg;
 
   // Returns the first check that failed; null if no check failed.
   const Check* failure() const;

@@ -24,23 +24,12 @@ constexpr int ticks_to_turn_round = 15;
 // A robot that is nearer to the ball, or to the own goal, is near, and a ball is far from it, m.
 constexpr double near = 0.3;
 constexpr double far_from_goal = 0.5;
-// A habit that was not seen for this many ticks begins anew.
-constexpr std::uint32_t pause = 150;
-constexpr std::size_t told_ticks = 3;
 
 }  // namespace
 
-void HabitCount::add(std::uint32_t tick, double amount) {
-  sum += amount;
-  all += 1.0;
-  if (amount == 0.0) return;
-  if (begun.size() < told_ticks && (begun.empty() || tick > last + pause)) begun.push_back(tick);
-  last = tick;
-}
-
 void WatchedTeam::post(const match::Observation& observation) {
   match::Observation shown = observation;
-  if (trick_.show) trick_.show(shown);
+  if (show_) show_(shown);
   controller_.post(shown);
 }
 
@@ -48,41 +37,37 @@ match::Answer WatchedTeam::collect() {
   match::Answer answer = controller_.collect();
   auto* const command = std::get_if<match::Command>(&answer);
   if (command == nullptr) return answer;
+  const bool is_play = leg_.state() == match::State::PLAY;
   for (int i = 0; i < leg_.field().robots_per_team; ++i) {
-    auto& wheels = command->wheels[i];
-    note_speed(i, true, wheels.left);
-    note_speed(i, false, wheels.right);
-    if (trick_.drive) trick_.drive(wheels);
+    for (const std::size_t side : {0u, 1u}) {
+      const double speed = side == 0 ? command->wheels[i].left : command->wheels[i].right;
+      story_.turned[i][side] += is_play && speed != 0.0 ? 1 : 0;
+      story_.turned[i][2] += is_play && std::abs(speed) > fast ? 1 : 0;
+      if (std::abs(speed) <= leg_.setup().parameters.wheel_speed_limit) continue;
+      auto& [count, first] = story_.bad_speeds[std::isfinite(speed) ? 1 : 0];
+      if (count++ == 0)
+        first = system::formatted("the %s wheel of robot %d in tick %u",
+                                  side == 0 ? "left" : "right", i, leg_.tick());
+    }
   }
-  if (trick_.show) command->placement.reset();
+  if (show_) command->placement.reset();
   return answer;
-}
-
-void WatchedTeam::note_speed(int robot, bool is_left, double speed) {
-  if (leg_.state() == match::State::PLAY) {
-    story_.turned[robot][is_left ? 0 : 1] += speed != 0.0 ? 1 : 0;
-    story_.turned_fast[robot] += std::abs(speed) > fast ? 1 : 0;
-  }
-  if (std::abs(speed) <= leg_.setup().parameters.wheel_speed_limit) return;
-  BadSpeeds& bad = story_.bad_speeds[std::isfinite(speed) ? 1 : 0];
-  if (bad.count++ == 0) bad = {1, robot, is_left, leg_.tick()};
 }
 
 void WatchedTeam::look() {
   if (leg_.state() != match::State::PLAY) return;
-  const int robots = leg_.field().robots_per_team;
-  const double end = leg_.end_of(team_) == End::left ? -1.0 : 1.0;
-  const Vec2 own_goal(end * leg_.field().half_length, 0.0);
+  const field::Field& field = leg_.field();
+  const Vec2 own_goal = team_frame(leg_.end_of(team_), Vec2(-field.half_length, 0.0));
   const Vec2 ball = leg_.ball().position;
   double to_ball = 1e9, to_goal = 1e9;
   double pushes = 0.0, stand = 0.0, turn = 0.0, backwards = 0.0;
-  for (int i = 0; i < robots; ++i) {
+  for (int i = 0; i < field.robots_per_team; ++i) {
     const auto robot = leg_.robot(team_, i);
     const auto wheels = leg_.answers()[index_of(team_)].speeds(i);
     const double told =
         0.5 * leg_.setup().parameters.wheel_radius * std::abs(wheels.left + wheels.right);
-    const bool is_at_wall = std::abs(robot.position.x()) > leg_.field().half_length - at_wall ||
-                            std::abs(robot.position.y()) > leg_.field().half_width - at_wall;
+    const bool is_at_wall = std::abs(robot.position.x()) > field.half_length - at_wall ||
+                            std::abs(robot.position.y()) > field.half_width - at_wall;
     const bool is_held =
         is_at_wall && told > least_push && 4.0 * std::abs(robot.twist.forward) < told;
     held_[i] = is_held ? held_[i] + 1 : 0;
@@ -94,9 +79,10 @@ void WatchedTeam::look() {
     to_ball = std::min(to_ball, (ball - robot.position).norm());
     if (held_[i] > ticks_to_turn_round) continue;
     if (std::hypot(robot.twist.forward, robot.twist.left) < least_speed) {
-      (std::abs(robot.twist.omega) < least_turn ? stand : turn) += 1.0 / (robots - 1);
+      (std::abs(robot.twist.omega) < least_turn ? stand : turn) +=
+          1.0 / (field.robots_per_team - 1);
     } else if (robot.twist.forward < -least_speed) {
-      backwards += 1.0 / (robots - 1);
+      backwards += 1.0 / (field.robots_per_team - 1);
     }
   }
   see(Habit::wall, pushes);
@@ -121,6 +107,8 @@ LegStory WatchedTeam::story() const {
     if (logged.decision.verdict == referee::Verdict::KICK_OFF_VIOLATION && logged.team == team_)
       story.count(Habit::kick_off).add(logged.tick, 1.0);
     if (logged.decision.restart == referee::Restart::KICK_OFF && logged.taker == team_) ++kick_offs;
+    if (logged.decision.verdict == referee::Verdict::PLACEMENT_FIXED && logged.team == team_)
+      ++story.moved_placements;
   }
   story.count(Habit::kick_off).all = kick_offs;
   story.count(Habit::own_goal).all = story.score[1];
@@ -132,7 +120,7 @@ std::string text_of(const LegStory& story) {
   const std::string own_goals =
       own == 0 ? "" : system::formatted(", %d own goal%s", own, own == 1 ? "" : "s");
   return system::formatted(
-      "%d : %d against %.40s as %s%s; its robots stood in %.0f %% of play, turned in "
+      "%d : %d against %s as %s%s; its robots stood in %.0f %% of play, turned in "
       "place in %.0f %%, drove backwards in %.0f %%",
       story.score[0], story.score[1], story.opponent.c_str(), to_string(story.team).data(),
       own_goals.c_str(), 100.0 * story.of(Habit::stand), 100.0 * story.of(Habit::turn),

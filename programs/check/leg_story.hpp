@@ -28,36 +28,31 @@ enum class Habit {
 
 struct HabitCount {
   double sum = 0.0, all = 0.0;
-  std::vector<std::uint32_t> begun;  // the ticks in which the first three times began
-  std::uint32_t last = 0;            // the last tick
+  std::uint32_t first = 0;  // the first tick
 
-  void add(std::uint32_t tick, double amount);
+  void add(std::uint32_t tick, double amount) {
+    if (sum == 0.0) first = tick;
+    sum += amount;
+    all += 1.0;
+  }
 };
 
 // Speeds of wheels that a match changes, because they are not finite or too large.
 struct BadSpeeds {
   int count = 0;
-  int robot = 0;  // of the first, which is for the left or the right wheel
-  bool is_left = false;
-  std::uint32_t tick = 0;
-};
-
-// What is changed in a trial: the observation that the entry gets, and the wheels of each robot.
-struct Trick {
-  std::function<void(match::Observation&)> show = {};
-  std::function<void(simulator::WheelSpeeds&)> drive = {};
+  std::string first{};  // "the left wheel of robot 1 in tick 20"
 };
 
 struct LegStory {
-  Team team = Team::blue;      // the colour of the entry
-  std::string opponent{};      // a house team
-  std::array<int, 2> score{};  // goals for the entry, and against it
-  double minutes = 0.0;        // simulated time
+  Team team = Team::blue;            // the colour of the entry
+  std::string opponent = "striker";  // a house team
+  std::array<int, 2> score{};        // goals for the entry, and against it
+  double minutes = 0.0;              // simulated time
   std::array<HabitCount, 8> habits{};
-  // In how many ticks of play each robot was told to turn its left and its right wheel, and fast.
-  std::array<std::array<int, 2>, max_robots_per_team> turned{};
-  std::array<int, max_robots_per_team> turned_fast{};
+  // How often in play each robot was told to turn its left wheel, its right wheel, and one fast.
+  std::array<std::array<int, 3>, max_robots_per_team> turned{};
   std::array<BadSpeeds, 2> bad_speeds{};  // not finite; too large
+  int moved_placements = 0;               // requested places that were not legal
 
   const HabitCount& count(Habit habit) const { return habits[static_cast<std::size_t>(habit)]; }
   HabitCount& count(Habit habit) { return habits[static_cast<std::size_t>(habit)]; }
@@ -66,11 +61,12 @@ struct LegStory {
   int lead() const { return score[0] - score[1]; }  // in goals
 };
 
-// A team in a leg, watched tick by tick.
+// A team in a leg, watched tick by tick. `show` changes what the team sees.
 class WatchedTeam final : public match::Controller {
  public:
-  WatchedTeam(match::Controller& team, const match::Leg& leg, Team colour, Trick trick)
-      : controller_(team), leg_(leg), team_(colour), trick_(std::move(trick)) {}
+  using Show = std::function<void(match::Observation&)>;
+  WatchedTeam(match::Controller& team, const match::Leg& leg, Team colour, const Show& show)
+      : controller_(team), leg_(leg), team_(colour), show_(show) {}
 
   void post(const match::Observation& observation) override;
   match::Answer collect() override;
@@ -81,13 +77,12 @@ class WatchedTeam final : public match::Controller {
   LegStory story() const;
 
  private:
-  void note_speed(int robot, bool is_left, double speed);
   void see(Habit habit, double amount) { story_.count(habit).add(leg_.tick(), amount); }
 
   match::Controller& controller_;
   const match::Leg& leg_;
   Team team_;
-  Trick trick_;
+  const Show& show_;
   // Ticks for which something has held each robot now, and for which it has pushed in all.
   std::array<int, max_robots_per_team> held_{}, pushes_{};
   LegStory story_;

@@ -11,8 +11,6 @@ namespace mirocup::app {
 
 namespace {
 
-using plugins::Surroundings;
-
 // The leg that is repeated in other surroundings is played this far at most.
 constexpr std::uint32_t max_repeated_ticks = 5000;
 
@@ -34,15 +32,15 @@ constexpr plugins::ClockReadings counting_clocks{.each_reading = 1000};
 constexpr std::uint8_t fills_of_short_legs[] = {0x00, 0xFF, 0x5A};
 constexpr std::uint8_t other_fill = 0xC3;
 constexpr std::int32_t other_numbers = 4242;
-constexpr Surroundings all_other{
+constexpr plugins::Surroundings all_other{
     .clocks = other_clocks, .fixed_addresses = false, .number_offset = other_numbers};
 
 // Returns the first tick in which the two legs differ; the hashes differ if the team asks for other
 // poses at a restart.
-std::optional<std::ptrdiff_t> first_difference(const TrialLeg& one, const TrialLeg& other) {
-  for (std::size_t i = 0; i < std::min(one.log.size(), other.log.size()); ++i) {
+std::optional<std::uint32_t> first_difference(const TrialLeg& one, const TrialLeg& other) {
+  for (std::uint32_t i = 0; i < std::min(one.ticks(), other.ticks()); ++i) {
     if (one.log[i].commands != other.log[i].commands || one.log[i].hash != other.log[i].hash)
-      return static_cast<std::ptrdiff_t>(i);
+      return i;
   }
   return std::nullopt;
 }
@@ -52,7 +50,7 @@ std::optional<std::ptrdiff_t> first_difference(const TrialLeg& one, const TrialL
 Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
                                         const TrialLeg& first) {
   e.plan.look_for_causes();
-  const auto leg_in = [&](const Surroundings& surroundings, bool is_careful) {
+  const auto leg_in = [&](const plugins::Surroundings& surroundings, bool is_careful) {
     TrialTerms one = terms;
     one.max_seconds = e.plan.share_of(1);
     one.surroundings = surroundings;
@@ -60,17 +58,16 @@ Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
     return play(e, one);
   };
   MIROCUP_TRY(const auto plain, leg_in({}, false));
-  const Surroundings counting{.clocks = counting_clocks};
   if (first_difference(first, plain)) {
-    MIROCUP_TRY(const auto counted, leg_in(counting, false));
-    MIROCUP_TRY(const auto counted_again, leg_in(counting, false));
+    MIROCUP_TRY(const auto counted, leg_in({.clocks = counting_clocks}, false));
+    MIROCUP_TRY(const auto counted_again, leg_in({.clocks = counting_clocks}, false));
     const bool is_clock = !first_difference(counted, counted_again);
     return sentence(is_clock               ? "depends clocks"
                     : e.entry->is_python() ? "depends python_chance"
                                            : "depends chance");
   }
 
-  const std::pair<Surroundings, const char*> changes[] = {
+  const std::pair<plugins::Surroundings, const char*> changes[] = {
       {{.clocks = other_clocks}, "depends clocks"},
       {{.memory_fill = other_fill}, "depends memory"},
       {{.number_offset = other_numbers}, "depends numbers"},
@@ -84,57 +81,60 @@ Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
   return sentence("depends");
 }
 
-// Returns false after a fault or a different answer, which is added.
-Result<bool> repeat_leg(Examination& e, TrialTerms terms, std::uint8_t fill,
-                        const TrialLeg& first) {
+// Fails after a fault. A different answer is kept for the next check.
+Result<Check> repeat_leg(Examination& e, TrialTerms terms, std::uint8_t fill,
+                         const TrialLeg& first) {
   terms.is_careful = true;
   terms.surroundings = all_other;
   terms.surroundings.memory_fill = fill;
   MIROCUP_TRY(const auto again, play(e, terms));
-  e.requests += again.requests;
-  if (again.fault && is_memory_mistake(again.fault->fault)) return judge(e, again, terms, "");
+  const Check right = passed(e.entry->is_python() ? "plays the same legs again without a fault"
+                                                  : "writes only to memory of its own");
+  if (is_memory_mistake(again)) return judge(e, again, terms, "");
   const auto tick = first_difference(first, again);
   // The last tick of a leg that ended by a fault has no answer.
-  const bool is_fault = again.fault && (!tick || *tick + 1 >= std::ssize(again.log));
+  const bool is_fault = again.fault && (!tick || *tick + 1 >= again.ticks());
   if (is_fault && again.ticks() >= first.ticks()) return judge(e, again, terms, "");
-  if (!is_fault && !tick) return true;
-  const std::uint32_t at = is_fault ? again.ticks() : static_cast<std::uint32_t>(*tick);
+  if (!is_fault && !tick) return right;
+  const std::uint32_t at = is_fault ? again.ticks() : *tick;
   terms.max_ticks = at + ticks_after_difference;
   MIROCUP_TRY(const auto cause, cause_of_difference(e, terms, first));
   const std::string where = "tick " + std::to_string(at);
-  std::string what = "to the same observations it answers differently in " + where;
   if (is_fault) {
     note_use(e, again, terms);
-    what = again.fault->fault.text + " (" + std::string(to_string(again.fault->fault.code)) +
-           "), but not when the same leg was played before";
-  } else {
-    pass(e, "writes only to memory of its own");
+    return failed(described(*again.fault) + ", but not when the same leg was played before", cause,
+                  where);
   }
-  return fail_with(e, {.what = what, .where = where, .cure = cause});
+  e.difference =
+      failed("to the same observations it answers differently in " + where, cause, where);
+  return right;
 }
-
-}  // namespace
 
 // The knock-out leg, which has every phase of a match, and the leg as blue once more, where nothing
 // is as it was but what the team may use.
-Result<bool> repeat_elsewhere(Examination& e) {
+Result<Check> repeat_elsewhere(Examination& e) {
   for (const std::uint8_t fill : fills_of_short_legs) {
     // The further fills are left out for a team that loads too slowly.
     const double tick = 1e-3 * e.report.mean_tick_ms;
     if (fill != fills_of_short_legs[0] && !e.plan.has_room_for(0.0, 1, tick)) continue;
     TrialTerms terms = knockout_terms(e);
     terms.max_seconds = e.plan.share_of(repeated_legs);
-    const auto passed = repeat_leg(e, terms, fill, e.knockout);
-    if (!passed || !*passed) return passed;
+    MIROCUP_TRY(const Check check, repeat_leg(e, terms, fill, e.knockout));
+    if (check.passed == false || e.difference) return check;
   }
-  TrialTerms terms = trial(e, Team::blue, *e.striker);
+  TrialTerms terms{e.setup, &*e.striker};
   terms.max_ticks = max_repeated_ticks;
   terms.max_seconds = e.plan.share_of(1);
-  const auto passed = repeat_leg(e, terms, other_fill, e.blue);
-  if (!passed || !*passed) return passed;
-  pass(e, e.entry->is_python() ? "plays the same legs again without a fault"
-                               : "writes only to memory of its own");
-  return pass(e, sentence("repeatable"));
+  return repeat_leg(e, terms, other_fill, e.whole[0]);
 }
+
+Result<Check> judge_repetition(Examination& e) {
+  return e.difference ? *e.difference : passed(sentence("repeatable"));
+}
+
+}  // namespace
+
+const std::array<Step, 2> repeat_checks{
+    {{"memory", repeat_elsewhere}, {"repeatable", judge_repetition}}};
 
 }  // namespace mirocup::app

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "programs/check/trial_leg.hpp"
-
+//
+// One leg that an entry plays in the sandbox so that `mirocup check` can look at it.
+#include "core/base/math.hpp"
 #include "plugins/host/host_program.hpp"
+#include "programs/check/examination.hpp"
 #include "server/pace/pacer.hpp"
-#include "system/locations.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -16,39 +17,30 @@ namespace {
 
 using Seats = std::array<std::unique_ptr<plugins::ProcessController>, 2>;
 
-// The bank of a trial leg, as a multiple of a match's. How much a whole leg takes is reckoned from
-// the time that was used. So a team that is too slow is told by how much, and a careful process,
-// which looks at memory in each tick, has enough.
-constexpr double larger_bank = 50.0;
+// A knock-out leg this short is level, so that extra time and shoot-out follow, s.
+constexpr double knockout_half = 0.5;
+constexpr double knockout_golden_goal = 1.0;
 
-// Stricter than in a match where the team computes for ever, so that its author learns it soon. Its
-// wall time is that of a match: on a busy machine a good team may need long to start.
-plugins::Budget trial_budget() {
-  plugins::Budget budget;
-  budget.start_cpu = CheckPlan::most_start;
-  budget.bank *= larger_bank;
-  budget.bank_per_tick *= larger_bank;
-  budget.bank_per_place *= larger_bank;
-  return budget;
-}
-
-Result<Seats> start_teams(const plugins::SealedEntry& entry, const match::Leg& leg,
-                          const TrialTerms& terms) {
+// The budget is stricter than in a match where the team computes for ever, so that its author
+// learns it soon. Its wall time is that of a match: on a busy machine a good team may need long to
+// start. The bank has no end, because a leg stops when it has used its share, and how much a whole
+// leg takes is reckoned from the time that was used.
+Result<Seats> start_teams(const Examination& e, const match::Leg& leg, const TrialTerms& terms) {
   plugins::ProcessTerms process_terms;
-  process_terms.isolation = terms.isolation;
+  process_terms.isolation = e.report.isolation;
+  process_terms.budget.start_cpu = CheckPlan::most_start;
+  process_terms.budget.bank = infinity;
   Seats seats;
   for (const Team team : both_teams) {
     const bool is_own = team == terms.team;
-    process_terms.budget = is_own ? trial_budget() : plugins::Budget();
     process_terms.surroundings = is_own ? terms.surroundings : plugins::Surroundings();
-    const plugins::SealedEntry& played = is_own ? entry : *terms.opponent;
-    MIROCUP_TRY(const auto program,
-                plugins::host_program(played, is_own && terms.is_careful ? plugins::Care::watched
-                                                                         : plugins::Care::none));
+    const plugins::SealedEntry& played = is_own ? *e.entry : *terms.opponent;
+    const auto care = is_own && terms.is_careful ? plugins::Care::watched : plugins::Care::none;
+    MIROCUP_TRY(const auto program, plugins::host_program(played, care));
     MIROCUP_TRY(seats[index_of(team)],
                 plugins::ProcessController::start(
                     program, played, leg.briefing(team),
-                    is_own ? terms.parameters : match::TeamParameters(), process_terms));
+                    is_own ? e.terms.parameters : match::TeamParameters(), process_terms));
   }
   return seats;
 }
@@ -63,24 +55,31 @@ double own_seconds() {
 
 }  // namespace
 
-Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms& terms) {
+TrialTerms knockout_terms(const Examination& e) {
+  TrialTerms terms{e.setup, &*e.idle};
+  terms.setup.stage = referee::Stage::knockout;
+  terms.setup.rules.half_s = knockout_half;
+  terms.setup.rules.golden_goal_s = knockout_golden_goal;
+  return terms;
+}
+
+Result<TrialLeg> play(Examination& e, const TrialTerms& terms) {
   const double own_before = own_seconds();
   const double delay_before = own_delay();
   TrialLeg played;
   match::Leg leg(terms.setup);
-  MIROCUP_TRY(const Seats seats, start_teams(entry, leg, terms));
+  MIROCUP_TRY(const Seats seats, start_teams(e, leg, terms));
   plugins::ProcessController& own = *seats[index_of(terms.team)];
 
-  std::optional<match::Fault> fault;
   for (const auto& seat : seats) {
     const auto ready = seat->wait_until_ready();
     if (ready) continue;
     if (const auto* failure = std::get_if<match::HostFailure>(&ready.error()))
       return fail(Errc::host, failure->text);
     if (seat.get() != &own) return fail(Errc::host, std::get<match::Fault>(ready.error()).text);
-    fault = std::get<match::Fault>(ready.error());
+    played.fault = std::get<match::Fault>(ready.error());
   }
-  played.memory_at_start = own.peak_memory();
+  const std::size_t memory_at_start = own.peak_memory();
   const auto processor = [&] {
     return own_seconds() - own_before + seats[0]->cpu_seconds() + seats[1]->cpu_seconds();
   };
@@ -94,7 +93,7 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
   double delay = own_delay() - delay_before;
   for (const auto& seat : seats) delay += seat->processor_delay().value_or(0.0);
   const double slept_to_start = std::max(0.0, own.start_seconds() - own.cpu_seconds() - delay);
-  played.used_to_start = processor() + slept_to_start;
+  const double used_to_start = processor() + slept_to_start;
   pace::SteadyWallClock clock;
   const double start = clock.now();
   // An entry that slept has taken at least as long on the clock, so that is looked at first.
@@ -103,10 +102,9 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
     const double used = own.playing_seconds();
     return used > may_use || (clock.now() - start > may_use && used + slept() > may_use);
   };
-  WatchedTeam watched(own, leg, terms.team, terms.trick);
+  WatchedTeam watched(own, leg, terms.team, terms.show);
   match::Controller& other = *seats[1 - index_of(terms.team)];
-  played.has_begun = !fault && terms.max_ticks > 0;
-  while (!fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time()) {
+  while (!played.fault && !leg.is_over() && leg.tick() < terms.max_ticks && !is_over_time()) {
     terms.team == Team::blue ? leg.advance(watched, other) : leg.advance(other, watched);
     watched.look();
   }
@@ -115,28 +113,23 @@ Result<TrialLeg> play_trial(const plugins::SealedEntry& entry, const TrialTerms&
       return fail(Errc::host, leg.outcome().why_void);
     for (const match::TeamFault& of_a_team : leg.outcome().faults) {
       if (of_a_team.team != terms.team) return fail(Errc::host, of_a_team.fault.text);
-      fault = of_a_team.fault;
+      played.fault = of_a_team.fault;
     }
   }
 
-  played.requests = own.requests();
-  if (fault) played.fault = FaultEvidence{*fault, own.exit_report(), played.requests};
+  e.requests += own.requests();
+  played.words = own.exit_report();
   played.log = leg.log();
-  if (leg.is_over() && terms.is_recorded) played.recording = replay::record(leg);
+  if (leg.is_over()) played.recording = replay::record(leg);
   played.story = watched.story();
-  for (const match::LoggedDecision& logged : leg.decisions()) {
-    played.restarts.insert({logged.decision.restart, logged.taker == terms.team});
-    played.moved_placements +=
-        logged.team == terms.team && logged.decision.verdict == referee::Verdict::PLACEMENT_FIXED;
-  }
   played.start_seconds = own.start_seconds();
   played.playing_seconds = own.playing_seconds();
   played.slowest_tick_ms = own.slowest_tick_ms();
   played.places = own.placements_asked();
   played.slept_seconds = slept();
-  played.used_seconds = processor() + slept_to_start + played.slept_seconds;
-  played.is_whole = leg.is_over();
+  e.plan.add(processor() + slept_to_start + played.slept_seconds, used_to_start);
   played.peak_memory = own.peak_memory();
+  if (!played.fault) played.grown = played.peak_memory - memory_at_start;
   played.output = own.output();
   played.asked_parameters = own.asked_parameters();
   return played;

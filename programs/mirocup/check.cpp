@@ -83,7 +83,7 @@ record::Json to_json(const CheckOptions& options, const EntryReport& report) {
             {"start_ms", report.start_ms},
             {"mean_tick_ms", report.mean_tick_ms},
             {"slowest_tick_ms", report.slowest_tick_ms},
-            {"bank_share", report.bank_share},
+            {"bank_share", report.mean_tick_ms / (1e3 * plugins::Budget().bank_per_tick)},
             {"leg_seconds", report.leg_seconds},
             {"leg_share", report.leg_share}}},
           {"peak_memory_bytes", report.peak_memory},
@@ -146,11 +146,12 @@ Result<void> write_gate_leg(const CheckOptions& options, const EntryReport& repo
   record::MatchRecord record;
   record.software = record::this_software();
   record.isolation = to_string(report.isolation);
-  const int own = index_of(report.gate_colour);
+  const auto& [colour, recording] = *report.gate_leg;
+  const int own = index_of(colour);
   record.teams[own] = {.name = "entry", .sha256 = report.sha256};
   record.teams[1 - own] = {.name = "striker", .kind = record::TeamKind::house, .sha256 = {}};
   record.budget[own].slowest_tick_ms = report.slowest_tick_ms;
-  record.recording = *report.gate_leg;
+  record.recording = recording;
   system::Disk disk;
   return record::save(disk, options.record_path, record);
 }
