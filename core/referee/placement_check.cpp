@@ -21,6 +21,16 @@ bool may_lie(const JudgedField& pitch, Restart restart, End taker, const Vec2& b
          field.clearance(ball) >= pitch.ball_radius;
 }
 
+PlacementRules rules_of(const JudgedField& pitch, const Decision& restart, Roles roles,
+                        const Placement& defaults, const Vec2& ball) {
+  return {.pitch = pitch,
+          .restart = restart.restart,
+          .taker = restart.taker,
+          .roles = roles,
+          .defaults = defaults,
+          .ball = ball};
+}
+
 CheckedPlacement granted(const Placer& placer, bool ball_is_fine) {
   return {.placement = placer.placement(),
           .moved = placer.moved(),
@@ -59,12 +69,8 @@ CheckedPlacement check_placement(const JudgedField& pitch, const Decision& resta
   const bool ball_is_fine = (asked.ball - defaults.ball).squaredNorm() == 0.0 ||
                             may_lie(pitch, restart.restart, taker, asked.ball);
 
-  const PlacementRules rules{.pitch = pitch,
-                             .restart = restart.restart,
-                             .taker = taker,
-                             .roles = roles,
-                             .defaults = defaults,
-                             .ball = ball_is_fine ? asked.ball : defaults.ball};
+  const PlacementRules rules =
+      rules_of(pitch, restart, roles, defaults, ball_is_fine ? asked.ball : defaults.ball);
   const End first = first_placer(restart.restart, taker);
   Placer placer(rules);
   for (const End team : {first, opposite(first)}) placer.accept(team, asked);
@@ -81,12 +87,8 @@ CheckedPlacement check_turn(const JudgedField& pitch, const Decision& restart, E
                             (is_first && team == restart.taker &&
                              may_lie(pitch, restart.restart, restart.taker, asked.ball));
 
-  const PlacementRules rules{.pitch = pitch,
-                             .restart = restart.restart,
-                             .taker = restart.taker,
-                             .roles = roles,
-                             .defaults = defaults,
-                             .ball = ball_is_fine ? asked.ball : restart.spot};
+  const PlacementRules rules =
+      rules_of(pitch, restart, roles, defaults, ball_is_fine ? asked.ball : restart.spot);
   Placer placer(rules);
   if (!is_first) {
     placer.keep(opposite(team), asked);
@@ -103,12 +105,7 @@ ByEnd<RobotSet> misplaced_robots(const JudgedField& pitch, const Decision& resta
                                  const Placement& standing) {
   const End taker = restart.taker;
   const Placement defaults = default_placement(pitch, restart.restart, taker, restart.spot);
-  const PlacementRules rules{.pitch = pitch,
-                             .restart = restart.restart,
-                             .taker = taker,
-                             .roles = roles,
-                             .defaults = defaults,
-                             .ball = standing.ball};
+  const PlacementRules rules = rules_of(pitch, restart, roles, defaults, standing.ball);
   Placer placer(rules);
   const End first = first_placer(restart.restart, taker);
   for (const End team : {first, opposite(first)}) {

@@ -14,14 +14,10 @@ struct Row {
   CrowdingLaw which;
   Law law;
   ByEnd<ByEnd<RobotSet>> Occupancy::*area;
-  bool by_owner;           // the robots are those of the team whose area it is
+  bool by_owner;           // the robots are those of the team whose area it is, the defenders
   int Rules::*max_robots;  // 0: any number
-  double Rules::*max_s;    // how long one robot too many may stay
   bool Rules::*at_once;    // two robots too many may not stay at all; null: they may
-  Verdict verdict;
-  Restart restart;
-  const char* text;  // of the reason, after the number of robots
-  bool tells_ball;   // the reason says where the ball is
+  const char* text;        // of the reason, after the number of robots
 };
 
 constexpr std::array<Row, 4> rows{{
@@ -30,51 +26,35 @@ constexpr std::array<Row, 4> rows{{
      .area = &Occupancy::goal_area,
      .by_owner = true,
      .max_robots = &Rules::def_max,
-     .max_s = &Rules::def_dwell_s,
      .at_once = &Rules::def_at_once,
-     .verdict = Verdict::PENALTY_KICK,
-     .restart = Restart::PENALTY_KICK,
-     .text = " defenders in their goal area for ",
-     .tells_ball = true},
+     .text = " defenders in their goal area for "},
     {.which = CrowdingLaw::four_defenders,
      .law = Law::four_defenders,
      .area = &Occupancy::penalty_area,
      .by_owner = true,
      .max_robots = &Rules::pa_def_max,
-     .max_s = &Rules::def_dwell_s,
      .at_once = &Rules::def_at_once,
-     .verdict = Verdict::PENALTY_KICK,
-     .restart = Restart::PENALTY_KICK,
-     .text = " defenders in their penalty area for ",
-     .tells_ball = false},
+     .text = " defenders in their penalty area for "},
     {.which = CrowdingLaw::two_attackers,
      .law = Law::two_attackers,
      .area = &Occupancy::goal_area,
      .by_owner = false,
      .max_robots = &Rules::att_max,
-     .max_s = &Rules::att_dwell_s,
      .at_once = &Rules::att_at_once,
-     .verdict = Verdict::GOAL_KICK,
-     .restart = Restart::GOAL_KICK,
-     .text = " attackers in the goal area for ",
-     .tells_ball = true},
+     .text = " attackers in the goal area for "},
     {.which = CrowdingLaw::four_attackers,
      .law = Law::four_attackers,
      .area = &Occupancy::penalty_area,
      .by_owner = false,
      .max_robots = &Rules::pa_att_max,
-     .max_s = &Rules::att_dwell_s,
      .at_once = nullptr,
-     .verdict = Verdict::GOAL_KICK,
-     .restart = Restart::GOAL_KICK,
-     .text = " attackers in the penalty area for ",
-     .tells_ball = false},
+     .text = " attackers in the penalty area for "},
 }};
 
 std::string reason_of(const Row& row, const TickFacts& s, const RobotSet& robots, double seconds) {
   const std::string crowd =
       std::to_string(robots.count()) + row.text + fixed(seconds, 2) + " s, the ball ";
-  if (!row.tells_ball) return crowd + "in it";
+  if (row.area != &Occupancy::goal_area) return crowd + "in it";
   return crowd + "at x = " + fixed(s.ball.x(), 3) + " m, y = " + fixed(s.ball.y(), 3) + " m";
 }
 
@@ -97,12 +77,16 @@ std::optional<Decision> judge_crowding(CrowdingLaw law, const JudgedField& pitch
     const bool at_once =
         (row.at_once != nullptr && pitch.rules.*row.at_once && count > max_robots + 1) ||
         (goal_counts && pitch.rules.att_cancels_goal && law == CrowdingLaw::two_attackers);
-    const double max_s = at_once ? 0.0 : pitch.rules.*row.max_s;
+    const double dwell_s = row.by_owner ? pitch.rules.def_dwell_s : pitch.rules.att_dwell_s;
+    const double max_s = at_once ? 0.0 : dwell_s;
     if (called || !crowded.reached(max_s, s.duration)) continue;
     if (!ball_in_zone(pitch, s, owner) && !goal_counts) continue;
-    Decision d = decide(row.verdict, row.law, s, reason_of(row, s, robots, crowded.for_s));
+    const auto [verdict, restart] = row.by_owner
+                                        ? std::pair(Verdict::PENALTY_KICK, Restart::PENALTY_KICK)
+                                        : std::pair(Verdict::GOAL_KICK, Restart::GOAL_KICK);
+    Decision d = decide(verdict, row.law, s, reason_of(row, s, robots, crowded.for_s));
     d.robots[index_of(team)] = robots;
-    called = against(std::move(d), team, row.restart);
+    called = against(std::move(d), team, restart);
   }
   return called;
 }
