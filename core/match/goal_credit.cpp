@@ -21,29 +21,18 @@ GoalKind kind_of(referee::Restart restart) {
 
 using Contact = BallContacts::Contact;
 
-// Returns the newest contact of a team that satisfies a condition; null if there is none.
-template <class Condition>
-const Contact* newest(const BallContacts& contacts, Team team, Condition condition) {
-  for (int i = 0; i < contacts.count(); ++i) {
-    if (contacts[i].who.team == team && condition(contacts[i])) return &contacts[i];
-  }
-  return nullptr;
-}
-
 // Returns the contact of a team that ended last; null if there is none. It may have begun before
 // the newest one.
 const Contact* last_to_end(const BallContacts& contacts, Team team) {
   const Contact* last = nullptr;
-  for (int i = 0; i < contacts.count(); ++i) {
-    const Contact& c = contacts[i];
+  for (const Contact& c : contacts.all()) {
     if (c.who.team == team && (last == nullptr || c.last > last->last)) last = &c;
   }
   return last;
 }
 
 std::optional<Touch> assist_to(const BallContacts& contacts, const Contact& scorer) {
-  for (int i = 0; i < contacts.count(); ++i) {
-    const Contact& c = contacts[i];
+  for (const Contact& c : contacts.all()) {
     if (c.first >= scorer.first || c.who == scorer.who) continue;
     if (c.who.team != scorer.who.team) return std::nullopt;
     return c.who;
@@ -54,14 +43,14 @@ std::optional<Touch> assist_to(const BallContacts& contacts, const Contact& scor
 }  // namespace
 
 void BallContacts::add(std::uint32_t tick, const Touch& who, const simulator::BallState& before) {
-  for (int i = 0; i < count_; ++i) {
-    if (contacts_[i].who == who && contacts_[i].last + 1 >= tick) {
-      contacts_[i].last = tick;
+  for (Contact& c : std::span(contacts_).first(count_)) {
+    if (c.who == who && c.last + 1 >= tick) {
+      c.last = tick;
       return;
     }
   }
   count_ = std::min(count_ + 1, capacity);
-  std::move_backward(contacts_.begin(), contacts_.begin() + count_ - 1, contacts_.begin() + count_);
+  std::shift_right(contacts_.data(), contacts_.data() + count_, 1);
   contacts_[0] = {.who = who, .first = tick, .last = tick, .before = before};
 }
 
@@ -86,10 +75,11 @@ namespace {
 
 GoalKind kind_of(const Goal& goal, const BallContacts& contacts, const Contact& scorer,
                  const field::Field& field, const simulator::Parameters& parameters) {
-  const Contact* opposed = newest(contacts, opponent_of(goal.scoring),
-                                  [&](const Contact& c) { return c.first < scorer.first; });
+  const auto all = contacts.all();
+  const auto opposed = std::ranges::find_if(
+      all, [&](const Contact& c) { return c.who.team != goal.scoring && c.first < scorer.first; });
   const bool takes = goal.taker == goal.scoring || goal.restart == referee::Restart::FREE_BALL;
-  if (opposed == nullptr) return takes ? kind_of(goal.restart) : GoalKind::open_play;
+  if (opposed == all.end()) return takes ? kind_of(goal.restart) : GoalKind::open_play;
   const bool is_rebound =
       opposed->last < scorer.first &&
       (scorer.first - opposed->last) * goal.control_period < rebound_s &&

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace mirocup::match {
 
@@ -70,14 +71,13 @@ class BallContacts {
   // Adds a touch in a tick. `before` is the ball at the start of the tick.
   void add(std::uint32_t tick, const Touch& who, const simulator::BallState& before);
 
-  // The contacts, newest first; i < count(). Only the newest `capacity` are kept.
-  int count() const { return count_; }
-  const Contact& operator[](int i) const { return contacts_[i]; }
+  // The contacts, newest first. Only the newest `capacity` are kept.
+  std::span<const Contact> all() const { return {contacts_.data(), count_}; }
 
  private:
-  static constexpr int capacity = 32;
+  static constexpr std::size_t capacity = 32;
   std::array<Contact, capacity> contacts_;
-  int count_ = 0;
+  std::size_t count_ = 0;
 };
 
 // The facts of a goal.

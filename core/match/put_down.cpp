@@ -17,19 +17,16 @@ bool is_same(const Pose& a, const Pose& b) {
          a.heading.sin == b.heading.sin;
 }
 
-// The error of one robot in the field's frame.
-struct RobotError {
-  Vec2 offset{0.0, 0.0};
-  double turn = 0.0;
+Pose off_by(const PlacingError& error, const Pose& pose) {
+  const double turn = error.turn;
+  return {pose.position + error.offset,
+          turn == 0.0 ? pose.heading : pose.heading.turned(sincos(turn))};
+}
 
-  Pose applied_to(const Pose& pose) const {
-    return {pose.position + offset, turn == 0.0 ? pose.heading : pose.heading.turned(sincos(turn))};
-  }
-  void halve() {
-    offset *= 0.5;
-    turn *= 0.5;
-  }
-};
+void halve(PlacingError& error) {
+  error.offset *= 0.5;
+  error.turn *= 0.5;
+}
 
 }  // namespace
 
@@ -60,7 +57,7 @@ referee::Placement put_down(const referee::JudgedField& pitch, const referee::De
   const auto team_at = [left](End end) { return end == End::left ? left : opponent_of(left); };
   const auto end_of = [left](Team team) { return team == left ? End::left : End::right; };
 
-  referee::ByEnd<std::array<RobotError, max_robots_per_team>> errors{};
+  referee::ByRobot<PlacingError> errors{};  // in the field's frame
   Vec2 ball_error{0.0, 0.0};
   if (moved.ball) ball_error = team_frame(end_of(Team::blue), disturbances.put_down_ball());
   for (const End end : both_ends) {
@@ -76,7 +73,7 @@ referee::Placement put_down(const referee::JudgedField& pitch, const referee::De
     result.ball = wanted.ball + ball_error;
     for (int e = 0; e < 2; ++e) {
       for (int i = 0; i < robots; ++i) {
-        result.robots[e][i] = errors[e][i].applied_to(wanted.robots[e][i]);
+        result.robots[e][i] = off_by(errors[e][i], wanted.robots[e][i]);
       }
     }
     const bool ball_is_fine = !moved.ball || referee::may_put_ball(pitch, restart, result.ball);
@@ -87,7 +84,7 @@ referee::Placement put_down(const referee::JudgedField& pitch, const referee::De
     if (all || !ball_is_fine) ball_error *= 0.5;
     for (int e = 0; e < 2; ++e) {
       for (int i = 0; i < robots; ++i) {
-        if (all || misplaced[e][i]) errors[e][i].halve();
+        if (all || misplaced[e][i]) halve(errors[e][i]);
       }
     }
   }

@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/match/team_parameters.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace mirocup::match {
-
-namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_parameter_name(const std::string& name) {
-  return !name.empty() && name.size() <= max_parameter_name && is_letter(name[0]) &&
-         std::all_of(name.begin(), name.end(), [](char c) {
-           return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
-         });
-}
-
-}  // namespace
 
 std::string problem_with(const TeamParameters& parameters) {
   if (parameters.size() > max_team_parameters) {

@@ -34,15 +34,6 @@ ThoughtsPage* page_of(void* host) {
   return host == nullptr ? nullptr : static_cast<const TeamHost*>(host)->thoughts;
 }
 
-// As match::problem_with(), which this program does not have.
-bool is_name(std::string_view name) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  return !name.empty() && name.size() <= match::max_parameter_name && is_letter(name[0]) &&
-         std::all_of(name.begin(), name.end(), [&](char c) {
-           return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
-         });
-}
-
 // Writes the line that make_line() returns to the log, unless a line was told before. The line is
 // made only then, because a team draws and is asked in every tick.
 template <class MakeLine>
@@ -54,7 +45,7 @@ void tell_once(bool& is_told, MakeLine make_line) {
 
 // Tells what the team's author would wonder about: a parameter that nobody can set.
 void note_name(TeamHost& host, std::string_view name) {
-  if (!is_name(name)) {
+  if (!match::is_parameter_name(name)) {
     tell_once(host.has_told_parameter, [&] {
       return "the team asks for the parameter \"" + std::string(name) +
              "\", which is no name: at most 31 letters, digits, '_', '-' and '.' are expected, a "

@@ -54,7 +54,7 @@ TEST_F(GoalCredits, AContactOfSeveralTicksIsOne) {
   contacts.add(20, keeper, on_target);
   contacts.add(21, keeper, wide);
   contacts.add(22, keeper, wide);
-  EXPECT_EQ(contacts.count(), 2);
+  EXPECT_EQ(contacts.all().size(), 2U);
   EXPECT_EQ(credit().scorer, striker);
 }
 
