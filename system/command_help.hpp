@@ -23,6 +23,12 @@ struct CommandHelp {
   std::vector<const char*> examples;
 };
 
+// Begins the description of a check, which CLI11 appends to the name of the option's value.
+inline constexpr const char* check_mark = "\t";
+
+// Returns the command of that name; null if there is none.
+const CLI::App* command_named(const CLI::App& app, const std::string& name);
+
 // Sets the layout of the program's help, and the commands' groups and examples. To be called once,
 // after all commands are declared.
 void finish_help(CLI::App& app, std::span<const CommandHelp> commands);

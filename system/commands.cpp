@@ -34,9 +34,9 @@ CLI::Validator range(Number low, Number high, const std::string& word = "") {
     return is_good ? "" : text + " is not a number " + expected;
   };
   const std::string words = word.empty() ? "" : " OR {" + word + "}";
-  return {problem, has_end
-                       ? "NUMBER in [" + number_text(low) + " - " + number_text(high) + "]" + words
-                       : ""};
+  return {problem,
+          has_end ? check_mark + ("[" + number_text(low) + " to " + number_text(high) + "]") + words
+                  : ""};
 }
 
 }  // namespace
@@ -74,12 +74,13 @@ Option Option::one_of(const std::vector<std::string>& words) const {
       list.replace(last, 2, " or ");
     return text + " is not " + list;
   };
-  return Option(option_->check(CLI::Validator(problem, "{" + joined(words, ",") + "}")));
+  return Option(
+      option_->check(CLI::Validator(problem, check_mark + ("{" + joined(words, ",") + "}"))));
 }
 
 Option Option::checked(const std::string& value, std::string (*problem)(const std::string&)) const {
   return Option(option_->check(
-      CLI::Validator([problem](std::string& text) { return problem(text); }, value)));
+      CLI::Validator([problem](std::string& text) { return problem(text); }, check_mark + value)));
 }
 
 Option Option::is_a_seed() const {
@@ -174,13 +175,6 @@ Option Command::jobs(int& value, const std::string& what) const {
 
 namespace {
 
-std::vector<std::string> commands_of(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  return names;
-}
-
 // Prints what is wrong, and where to read on.
 int complain(const std::string& program, const std::string& what) {
   std::cerr << program << ": " << printable(what) << '\n' << "See " << program << " --help\n";
@@ -241,14 +235,12 @@ std::optional<int> parse_command_line(CLI::App& app, std::span<const CommandHelp
     words.resize(std::min<std::size_t>(words.size(), 1));
     words.emplace_back("--help");
   }
-  const std::vector<std::string> commands = commands_of(app);
   if (words.empty()) {
     std::cerr << app.help();
     return exit_code(Errc::input);
   }
   const std::string& first = words[0];
-  const bool is_known = std::find(commands.begin(), commands.end(), first) != commands.end();
-  if (first.empty() || (first.front() != '-' && !is_known)) {
+  if (first.empty() || (first.front() != '-' && command_named(app, first) == nullptr)) {
     return complain(app.get_name(), "there is no command " + in_quotes(first));
   }
   try {

@@ -72,20 +72,24 @@ constexpr LabsCommand commands_of_labs[] = {
      "mirocup bench --quick"}};
 
 static Result<int> run(int argc, char** argv) {
-  // `complete COMMAND WORD…` asks the program that runs the command.
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  // `help league start` is `league start --help`.
+  if (words.size() > 1 && words[0] == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  // `complete COMMAND WORD…` asks the program that runs the command.
   const bool completes = words.size() > 2 && words[0] == "complete";
   const auto command = words.begin() + (completes ? 1 : 0);
-  const bool is_tune_of_league = words.size() > 1 && words[0] == "league" && words[1] == "tune";
-  if (is_tune_of_league || (command != words.end() && *command == "league")) {
+  const std::string name = command != words.end() ? *command : "";
+  if (name == "league") {
+    const bool is_tune = words.end() - command > 1 && command[1] == "tune";
     words.erase(command);
-    return tl::unexpected(is_tune_of_league
-                              ? become_labs(words)
-                              : system::become_sibling_program("mirocup-league", words));
+    return tl::unexpected(is_tune ? become_labs(words)
+                                  : system::become_sibling_program("mirocup-league", words));
   }
   for (const LabsCommand& of_labs : commands_of_labs) {
-    if (command != words.end() && *command == of_labs.name)
-      return tl::unexpected(become_labs(words));
+    if (name == of_labs.name) return tl::unexpected(become_labs(words));
   }
 
   system::Commands commands("mirocup", "A tournament platform for MiroSot robot soccer.",
@@ -111,15 +115,5 @@ static Result<int> run(int argc, char** argv) {
 }  // namespace mirocup::app
 
 int main(int argc, char** argv) {
-  std::vector<char*> words(argv, argv + argc);
-  // `mirocup help league start` is `mirocup league start --help`, also for a command of another
-  // program.
-  char help[] = "--help";
-  if (argc > 2 && std::string_view(argv[1]) == "help") {
-    words.erase(words.begin() + 1);
-    words.push_back(help);
-  }
-  words.push_back(nullptr);
-  return mirocup::system::run_program(
-      [&] { return mirocup::app::run(static_cast<int>(words.size()) - 1, words.data()); });
+  return mirocup::system::run_program([&] { return mirocup::app::run(argc, argv); });
 }
