@@ -91,8 +91,7 @@ Result<pid_t> start_with(const ChildOptions& options, int log) {
 
 int wait_for(pid_t pid) {
   int status = not_found << 8;  // if the system does not tell it
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
+  TEMP_FAILURE_RETRY(waitpid(pid, &status, 0));
   return status;
 }
 

@@ -5,7 +5,6 @@
 #include <openssl/evp.h>
 #include <openssl/sha.h>
 
-#include <array>
 #include <cassert>
 #include <cerrno>
 #include <cstdint>
@@ -16,32 +15,34 @@ namespace mirocup::system {
 
 namespace {
 
-std::array<unsigned char, SHA256_DIGEST_LENGTH> digest_of(std::string_view bytes) {
-  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr);
+// Returns the 32 bytes of the digest.
+std::string digest_of(std::string_view bytes) {
+  std::string digest(SHA256_DIGEST_LENGTH, '\0');
+  EVP_Digest(bytes.data(), bytes.size(), reinterpret_cast<unsigned char*>(digest.data()), nullptr,
+             EVP_sha256(), nullptr);
   return digest;
 }
 
-std::string hexadecimal(const std::array<unsigned char, SHA256_DIGEST_LENGTH>& digest) {
+}  // namespace
+
+std::string hexadecimal(std::string_view bytes) {
   constexpr char digits[] = "0123456789abcdef";
-  std::string text(2 * digest.size(), '0');
+  std::string text(2 * bytes.size(), '0');
   char* next = text.data();  // books of leagues have a digest in each line
-  for (const unsigned char byte : digest) {
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
     *next++ = digits[byte >> 4];
     *next++ = digits[byte & 15];
   }
   return text;
 }
 
-}  // namespace
-
 std::string sha256(std::string_view bytes) {
   return hexadecimal(digest_of(bytes));
 }
 
 std::string sha256_base64(std::string_view bytes) {
-  const auto digest = digest_of(bytes);
-  return base64({reinterpret_cast<const char*>(digest.data()), digest.size()});
+  return base64(digest_of(bytes));
 }
 
 std::string base64(std::string_view bytes) {
@@ -55,25 +56,17 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-struct Sha256::Context {
-  EVP_MD_CTX* handle = EVP_MD_CTX_new();
-  ~Context() { EVP_MD_CTX_free(handle); }
-};
-
-Sha256::Sha256() : context_(std::make_unique<Context>()) {
-  EVP_DigestInit_ex(context_->handle, EVP_sha256(), nullptr);
+Sha256::Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+  EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr);
 }
-Sha256::~Sha256() = default;
-Sha256::Sha256(Sha256&&) noexcept = default;
-Sha256& Sha256::operator=(Sha256&&) noexcept = default;
 
 void Sha256::add(std::string_view bytes) {
-  EVP_DigestUpdate(context_->handle, bytes.data(), bytes.size());
+  EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size());
 }
 
 std::string Sha256::digits() {
-  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
-  EVP_DigestFinal_ex(context_->handle, digest.data(), nullptr);
+  std::string digest(SHA256_DIGEST_LENGTH, '\0');
+  EVP_DigestFinal_ex(context_.get(), reinterpret_cast<unsigned char*>(digest.data()), nullptr);
   return hexadecimal(digest);
 }
 

@@ -8,7 +8,12 @@
 #include <string>
 #include <string_view>
 
+struct evp_md_ctx_st;  // EVP_MD_CTX of OpenSSL
+
 namespace mirocup::system {
+
+// Returns the bytes as lower-case hexadecimal digits.
+std::string hexadecimal(std::string_view bytes);
 
 // Returns the digest as 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
@@ -22,9 +27,6 @@ std::string base64(std::string_view bytes);
 class Sha256 {
  public:
   Sha256();
-  ~Sha256();
-  Sha256(Sha256&&) noexcept;
-  Sha256& operator=(Sha256&&) noexcept;
 
   void add(std::string_view bytes);
 
@@ -32,8 +34,7 @@ class Sha256 {
   std::string digits();
 
  private:
-  struct Context;
-  std::unique_ptr<Context> context_;
+  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
 // Returns bytes from the random numbers of the kernel, for keys and names that nobody can guess.

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <sys/file.h>
 #include <sys/mman.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -90,17 +89,6 @@ Descriptor open_for_writing(const std::string& path, int flags) {
 constexpr std::string_view unfinished_mark = ".unfinished-";
 constexpr std::size_t random_digits = 32;
 
-std::optional<std::string> random_name() {
-  unsigned char bytes[random_digits / 2];
-  if (getrandom(bytes, sizeof bytes, 0) != sizeof bytes) return std::nullopt;
-  std::string digits;
-  for (const unsigned char byte : bytes) {
-    constexpr char hex[] = "0123456789abcdef";
-    digits += {hex[byte >> 4], hex[byte & 15]};
-  }
-  return digits;
-}
-
 struct Unfinished {
   std::string path;
   Descriptor descriptor{};  // closed on failure, with errno
@@ -112,9 +100,8 @@ struct Unfinished {
 Unfinished make_unfinished(const std::string& path, mode_t mode) {
   constexpr int tries = 8;
   for (int i = 0; i < tries; ++i) {
-    const auto name = random_name();
-    if (!name) break;
-    Unfinished made{.path = path + std::string(unfinished_mark) + *name};
+    const std::string name = hexadecimal(random_bytes(random_digits / 2));
+    Unfinished made{.path = path + std::string(unfinished_mark) + name};
     made.descriptor.reset(
         open(made.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
     if (!made.descriptor.is_open() && errno == EEXIST) continue;

@@ -26,8 +26,17 @@ std::array<fs::path, 3> house_folders(const fs::path& here) {
 
 }  // namespace
 
-static std::string program_folder() {
-  return fs::read_symlink("/proc/self/exe").parent_path().string();
+static fs::path program_folder() {
+  return fs::read_symlink("/proc/self/exe").parent_path();
+}
+
+// A build tree has its programs at the top.
+static bool is_installed() {
+  return program_folder().filename() == "bin";
+}
+
+static fs::path prefix() {
+  return is_installed() ? program_folder().parent_path() : program_folder();
 }
 
 std::string sibling_program(const std::string& name) {
@@ -37,41 +46,32 @@ std::string sibling_program(const std::string& name) {
 }
 
 std::string build_folder() {
-  const fs::path here = program_folder();
-  return here.filename() == "bin" ? "build" : here.string();
+  return is_installed() ? "build" : program_folder().string();
 }
 
 TeamKit team_kit() {
-  const fs::path program = fs::read_symlink("/proc/self/exe");
-  // A build tree has its programs at the top.
-  const bool is_installed = program.parent_path().filename() == "bin";
-  const fs::path prefix =
-      is_installed ? program.parent_path().parent_path() : program.parent_path();
   fs::path python;
   for (const char* folder : {"python", "share/mirocup/python", "lib/python3/dist-packages"}) {
-    if (python.empty() && is_there(prefix / folder / "mirocup" / "team.py"))
-      python = prefix / folder;
+    if (python.empty() && is_there(prefix() / folder / "mirocup" / "team.py"))
+      python = prefix() / folder;
   }
-  return {.program = (program.parent_path() / "mirocup").string(),
-          .prefix = prefix.string(),
-          .headers = (prefix / "include" / "mirocup").string(),
-          .templates = (prefix / "share" / "mirocup" / "team").string(),
+  return {.program = (program_folder() / "mirocup").string(),
+          .prefix = prefix().string(),
+          .headers = (prefix() / "include" / "mirocup").string(),
+          .templates = (prefix() / "share" / "mirocup" / "team").string(),
           .python = python.string()};
 }
 
 std::string browser_folder() {
-  const fs::path here = program_folder();
-  const bool is_installed = here.filename() == "bin";
-  return is_installed ? (here.parent_path() / "share" / "mirocup" / "browser").string()
-                      : (here / "browser").string();
+  return (prefix() / (is_installed() ? "share/mirocup/browser" : "browser")).string();
 }
 
 std::string drill_folder() {
-  return (fs::path(team_kit().prefix) / "share" / "mirocup" / "drills").string();
+  return (prefix() / "share" / "mirocup" / "drills").string();
 }
 
 std::string course_folder() {
-  return (fs::path(team_kit().prefix) / "share" / "mirocup" / "course").string();
+  return (prefix() / "share" / "mirocup" / "course").string();
 }
 
 std::string drill_folder(const std::string& folder) {
@@ -86,7 +86,7 @@ std::string drill_folder(const std::string& folder) {
 }
 
 std::string house_team(const std::string& name) {
-  return house_team(name, program_folder());
+  return house_team(name, program_folder().string());
 }
 
 std::vector<std::string> house_teams() {

@@ -19,6 +19,18 @@ sigset_t awaited_signals() {
   return set;
 }
 
+// Returns the first awaited signal within this time, s; a negative number if none comes.
+int next_signal(double seconds) {
+  const sigset_t set = awaited_signals();
+  const auto ns = static_cast<std::int64_t>(1e9 * std::max(seconds, 0.0));
+  const timespec timeout{ns / 1'000'000'000, ns % 1'000'000'000};
+  return sigtimedwait(&set, nullptr, &timeout);
+}
+
+bool asks_to_stop(int signal) {
+  return signal == SIGINT || signal == SIGTERM;
+}
+
 }  // namespace
 
 ProcessSet::ProcessSet() {
@@ -58,36 +70,27 @@ std::optional<Exit> ProcessSet::ended() {
 
 std::optional<Exit> ProcessSet::wait() {
   assert(!children_.empty());
-  const sigset_t set = awaited_signals();
-  constexpr timespec look_interval{.tv_sec = 1, .tv_nsec = 0};  // for a child whose time is over
+  constexpr double look_interval = 1.0;  // s, for a child whose time is over
   while (true) {
     if (const auto exit = ended()) return exit;
-    const int signal = sigtimedwait(&set, nullptr, &look_interval);
-    if (signal == SIGINT || signal == SIGTERM) return std::nullopt;
+    if (asks_to_stop(next_signal(look_interval))) return std::nullopt;
   }
 }
 
 ProcessSet::News ProcessSet::wait_within(double seconds) {
-  const sigset_t set = awaited_signals();
   if (const auto exit = ended()) return {exit, false};
-  const auto ns = static_cast<std::int64_t>(1e9 * seconds);
-  const timespec timeout{ns / 1'000'000'000, ns % 1'000'000'000};
-  const int signal = sigtimedwait(&set, nullptr, &timeout);
-  return {ended(), signal == SIGINT || signal == SIGTERM};
+  const bool is_asked_to_stop = asks_to_stop(next_signal(seconds));
+  return {ended(), is_asked_to_stop};
 }
 
 bool ProcessSet::is_asked_to_stop_within(double seconds) {
   using std::chrono::steady_clock;
-  const sigset_t set = awaited_signals();
-  const auto end = steady_clock::now() + std::chrono::duration<double>(seconds);
-  while (true) {
-    const auto rest =
-        std::chrono::duration_cast<std::chrono::nanoseconds>(end - steady_clock::now());
-    const std::int64_t rest_ns = std::max<std::int64_t>(rest.count(), 0);
-    const timespec timeout{rest_ns / 1'000'000'000, rest_ns % 1'000'000'000};
-    const int signal = sigtimedwait(&set, nullptr, &timeout);
-    if (signal == SIGINT || signal == SIGTERM) return true;
+  const std::chrono::duration<double> time(seconds);
+  const auto end = steady_clock::now() + time;
+  for (auto rest = time;; rest = end - steady_clock::now()) {
+    const int signal = next_signal(rest.count());
     if (signal < 0 && errno == EAGAIN) return false;
+    if (asks_to_stop(signal)) return true;
   }
 }
 

@@ -50,58 +50,45 @@ std::shared_ptr<SSL_CTX> new_context(const SSL_METHOD* method) {
 
 }  // namespace
 
-struct TlsConnection::Session {
-  SSL* ssl = nullptr;
-  int socket = -1;
+TlsConnection::TlsConnection() : ssl_(nullptr, SSL_free) {}
 
-  ~Session() { SSL_free(ssl); }
-
-  // Repeats a call of the library, which does not wait, until it is done. Returns its result;
-  // 0 at the end of the connection, negative after an error or at the end of the time.
-  template <class Call>
-  int repeat(int ms, const Call& call) {
-    const auto until = steady_clock::now() + std::chrono::milliseconds(ms);
-    while (true) {
-      ERR_clear_error();
-      const int result = call();
-      if (result > 0) return result;
-      const int error = SSL_get_error(ssl, result);
-      if (error == SSL_ERROR_ZERO_RETURN) return 0;
-      if (error != SSL_ERROR_WANT_READ && error != SSL_ERROR_WANT_WRITE) return -1;
-      if (!waits_for(socket, error == SSL_ERROR_WANT_READ ? POLLIN : POLLOUT, until)) return -1;
-    }
+template <class Call>
+int TlsConnection::repeat(int ms, const Call& call) {
+  const auto until = steady_clock::now() + std::chrono::milliseconds(ms);
+  while (true) {
+    ERR_clear_error();
+    const int result = call();
+    if (result > 0) return result;
+    const int error = SSL_get_error(ssl_.get(), result);
+    if (error == SSL_ERROR_ZERO_RETURN) return 0;
+    if (error != SSL_ERROR_WANT_READ && error != SSL_ERROR_WANT_WRITE) return -1;
+    if (!waits_for(socket_, error == SSL_ERROR_WANT_READ ? POLLIN : POLLOUT, until)) return -1;
   }
-};
-
-TlsConnection::TlsConnection() : session_(std::make_unique<Session>()) {}
-TlsConnection::TlsConnection(TlsConnection&&) noexcept = default;
-TlsConnection& TlsConnection::operator=(TlsConnection&&) noexcept = default;
-TlsConnection::~TlsConnection() = default;
+}
 
 ssize_t TlsConnection::read(char* bytes, std::size_t size, int ms) {
   const int most = static_cast<int>(std::min<std::size_t>(size, INT_MAX));
-  return session_->repeat(ms, [&] { return SSL_read(session_->ssl, bytes, most); });
+  return repeat(ms, [&] { return SSL_read(ssl_.get(), bytes, most); });
 }
 
 ssize_t TlsConnection::write(std::string_view bytes, int ms) {
   if (bytes.empty()) return 0;
   const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), INT_MAX));
-  const int done =
-      session_->repeat(ms, [&] { return SSL_write(session_->ssl, bytes.data(), size); });
+  const int done = repeat(ms, [&] { return SSL_write(ssl_.get(), bytes.data(), size); });
   return done > 0 ? done : -1;
 }
 
 void TlsConnection::say_end() {
   ERR_clear_error();
-  SSL_shutdown(session_->ssl);
+  SSL_shutdown(ssl_.get());
 }
 
 bool TlsConnection::attach(ssl_ctx_st* context, int socket) {
-  session_->socket = socket;
-  session_->ssl = SSL_new(context);
+  socket_ = socket;
+  ssl_.reset(SSL_new(context));
   const int flags = fcntl(socket, F_GETFL);
-  return session_->ssl != nullptr && flags >= 0 &&
-         fcntl(socket, F_SETFL, flags | O_NONBLOCK) == 0 && SSL_set_fd(session_->ssl, socket) == 1;
+  return ssl_ != nullptr && flags >= 0 && fcntl(socket, F_SETFL, flags | O_NONBLOCK) == 0 &&
+         SSL_set_fd(ssl_.get(), socket) == 1;
 }
 
 Result<TlsServer> TlsServer::load(const std::string& certificate, const std::string& key) {
@@ -122,8 +109,8 @@ Result<TlsServer> TlsServer::load(const std::string& certificate, const std::str
 std::optional<TlsConnection> TlsServer::accept(int socket, int ms) const {
   TlsConnection connection;
   if (!connection.attach(context_.get(), socket)) return std::nullopt;
-  TlsConnection::Session& session = *connection.session_;
-  if (session.repeat(ms, [&] { return SSL_accept(session.ssl); }) != 1) return std::nullopt;
+  SSL* const ssl = connection.ssl_.get();
+  if (connection.repeat(ms, [ssl] { return SSL_accept(ssl); }) != 1) return std::nullopt;
   return connection;
 }
 
@@ -146,14 +133,13 @@ tl::expected<TlsConnection, TlsRefusal> TlsClient::connect(int socket, const std
   TlsConnection connection;
   const tl::unexpected not_tls(TlsRefusal::not_tls);
   if (!connection.attach(context_.get(), socket)) return not_tls;
-  TlsConnection::Session& session = *connection.session_;
-  X509_VERIFY_PARAM* const terms = SSL_get0_param(session.ssl);
+  SSL* const ssl = connection.ssl_.get();
+  X509_VERIFY_PARAM* const terms = SSL_get0_param(ssl);
   if (X509_VERIFY_PARAM_set1_ip_asc(terms, host.c_str()) != 1 &&
-      (SSL_set1_host(session.ssl, host.c_str()) != 1 ||
-       SSL_set_tlsext_host_name(session.ssl, host.c_str()) != 1))
+      (SSL_set1_host(ssl, host.c_str()) != 1 || SSL_set_tlsext_host_name(ssl, host.c_str()) != 1))
     return not_tls;
-  if (session.repeat(ms, [&] { return SSL_connect(session.ssl); }) == 1) return connection;
-  if (SSL_get_verify_result(session.ssl) == X509_V_OK) return not_tls;
+  if (connection.repeat(ms, [ssl] { return SSL_connect(ssl); }) == 1) return connection;
+  if (SSL_get_verify_result(ssl) == X509_V_OK) return not_tls;
   return tl::unexpected(TlsRefusal::not_trusted);
 }
 

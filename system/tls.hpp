@@ -18,16 +18,13 @@
 #include <sys/types.h>
 
 struct ssl_ctx_st;  // SSL_CTX of OpenSSL
+struct ssl_st;      // SSL of OpenSSL
 
 namespace mirocup::system {
 
 // An encrypted connection over a socket that the caller owns. Not to be used after an error.
 class TlsConnection {
  public:
-  TlsConnection(TlsConnection&&) noexcept;
-  TlsConnection& operator=(TlsConnection&&) noexcept;
-  ~TlsConnection();
-
   // Reads up to `size` bytes. Returns the number of read bytes; 0 after the other end's last byte;
   // a negative number after an error or if nothing comes within `ms`.
   ssize_t read(char* bytes, std::size_t size, int ms);
@@ -42,12 +39,16 @@ class TlsConnection {
  private:
   friend class TlsServer;
   friend class TlsClient;
-  struct Session;
   TlsConnection();
   // Attaches the session to the socket, which then does not wait. Returns false after an error.
   bool attach(ssl_ctx_st* context, int socket);
+  // Repeats a call of the library, which does not wait, until it is done. Returns its result; 0 at
+  // the end of the connection, negative after an error or at the end of the time.
+  template <class Call>
+  int repeat(int ms, const Call& call);
 
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<ssl_st, void (*)(ssl_st*)> ssl_;
+  int socket_ = -1;
 };
 
 class TlsServer {
