@@ -86,7 +86,7 @@ class TeamSeat {
   // Returns the output of the team, each line with its tick; "" if the team has no process of its
   // own.
   std::string output() {
-    return process_ != nullptr ? process_->output_with_ticks() : std::string();
+    return process_ != nullptr ? process_->output(plugins::Ticks::shown) : std::string();
   }
 
  private:

@@ -58,10 +58,7 @@ void Child::kill() {
 bool Child::reap(int options) {
   int status = 0;
   rusage usage{};
-  pid_t reaped = 0;
-  while ((reaped = wait4(pid_, &status, options, &usage)) < 0 && errno == EINTR) {
-  }
-  if (reaped != pid_) return false;
+  if (TEMP_FAILURE_RETRY(wait4(pid_, &status, options, &usage)) != pid_) return false;
   exit_status_ = to_exit_status(status);
   // The kernel's figure counts the copy of the server that the process was before exec, too.
   if (peak_memory_ == 0) peak_memory_ = static_cast<std::size_t>(usage.ru_maxrss) << 10;

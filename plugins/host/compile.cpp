@@ -27,7 +27,6 @@
 #include <sys/mount.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -48,8 +47,8 @@ constexpr int compiler_descriptor = 5;  // the program that compiles, if it is n
 // The exit codes of the first process of the sandbox.
 constexpr int compiled = 0;
 constexpr int not_compiled = 1;
-constexpr int too_much = 2;  // the compiler was ended by a limit; 3: refused_archive
-constexpr int no_sandbox_stands = 127;
+constexpr int too_much = 2;             // the compiler was ended by a limit; 3: refused_archive
+constexpr int no_sandbox_stands = 127;  // of give_up()
 
 constexpr const char* library_path = "/compile/strategy.so";
 constexpr const char* to_library = "-o/compile/strategy.so";
@@ -96,8 +95,8 @@ bool write_file(const TreeFile& file) {
       open(file.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0444));
   std::size_t done = 0;
   while (out.is_open() && done < file.bytes.size()) {
-    const ssize_t n = write(out.get(), file.bytes.data() + done, file.bytes.size() - done);
-    if (n < 0 && errno == EINTR) continue;
+    const ssize_t n =
+        TEMP_FAILURE_RETRY(write(out.get(), file.bytes.data() + done, file.bytes.size() - done));
     if (n <= 0) return false;
     done += static_cast<std::size_t>(n);
   }
@@ -109,14 +108,9 @@ bool write_file(const TreeFile& file) {
 // nothing, so it may be called after fork. Returns null on success, else the step that failed;
 // errno says why.
 const char* enter_toolchain_root(std::span<const TreeFile> files) {
-  if (const char* step = begin_root(tree_options)) return step;
-  for (const char* folder :
-       {"usr", "usr/local", "etc", "mirocup", "mirocup/include", work_folder + 1}) {
-    if (mkdir(folder, 0755) != 0) return "the folders of the root";
-  }
-  for (const char* folder : library_folders) {
-    if (!show_folder(folder)) return folder;
-  }
+  if (const char* step = begin_root(
+          tree_options, {"usr", "usr/local", "etc", "mirocup", "mirocup/include", work_folder + 1}))
+    return step;
   for (const char* folder : compiler_folders) {
     if (!show_folder(folder)) return folder;
   }
@@ -175,29 +169,11 @@ struct Work {
   int step = -1;
 };
 
-[[noreturn]] void give_up_compiling(const char* step) {
-  const char* why = strerrorname_np(errno);
-  (void)!write(step_descriptor, step, std::strlen(step));
-  (void)!write(step_descriptor, ": ", 2);
-  if (why != nullptr) (void)!write(step_descriptor, why, std::strlen(why));
-  _exit(no_sandbox_stands);
-}
-
 bool arrange_work(const Work& work) {
   const int nothing = open("/dev/null", O_RDONLY);
   const int program = work.is_program_given ? work.program : nothing;
   const int from[] = {nothing, work.output, work.output, work.result, work.step, program};
-  constexpr int count = sizeof from / sizeof from[0];
-  constexpr int spare_from = 32;
-  int spare[count];
-  for (int i = 0; i < count; ++i) {
-    spare[i] = fcntl(from[i], F_DUPFD, spare_from);
-    if (spare[i] < 0) return false;
-  }
-  for (int i = 0; i < count; ++i) {
-    if (dup2(spare[i], i) < 0) return false;
-  }
-  return close_range(count, ~0U, 0) == 0;
+  return take_descriptors(from);
 }
 
 bool limit(int resource, rlim_t most) {
@@ -213,7 +189,7 @@ bool limit(int resource, rlim_t most) {
                           limit(RLIMIT_FSIZE, rlim_t{128} << 20) &&
                           limit(RLIMIT_NPROC, processes) && limit(RLIMIT_NOFILE, descriptors) &&
                           prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
-  if (!is_limited) give_up_compiling("limits");
+  if (!is_limited) give_up(step_descriptor, "limits");
   // The compiler speaks to nobody but by its output.
   close(result_descriptor);
   fcntl(step_descriptor, F_SETFD, FD_CLOEXEC);
@@ -225,35 +201,27 @@ bool limit(int resource, rlim_t most) {
   } else {
     execve(command[0], command, environment);
   }
-  give_up_compiling("the start of the compiler");
+  give_up(step_descriptor, "the start of the compiler");
 }
 
 // Waits for that process, and for those that it has left behind.
 int wait_for(pid_t pid) {
   int result = 0;
-  while (true) {
-    int status = 0;
-    const pid_t ended = waitpid(-1, &status, 0);
-    if (ended < 0 && errno == EINTR) continue;
-    if (ended < 0) return result;
+  int status = 0;
+  for (long ended; (ended = TEMP_FAILURE_RETRY(waitpid(-1, &status, 0))) >= 0;) {
     if (ended != pid) continue;
     result = status;
     kill(-1, SIGKILL);
   }
+  return result;
 }
 
 bool hand_over_library(std::size_t most) {
   const system::Descriptor file(open(library_path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat about {};
   if (!file.is_open() || fstat(file.get(), &about) != 0 || !S_ISREG(about.st_mode)) return false;
-  if (static_cast<std::size_t>(about.st_size) > most) return false;
-  off_t done = 0;
-  while (done < about.st_size) {
-    if (sendfile(result_descriptor, file.get(), &done,
-                 static_cast<std::size_t>(about.st_size - done)) <= 0)
-      return false;
-  }
-  return true;
+  return static_cast<std::size_t>(about.st_size) <= most &&
+         send_file(result_descriptor, file.get(), about.st_size);
 }
 
 [[noreturn]] void compile_here(const Work& work) {
@@ -263,10 +231,10 @@ bool hand_over_library(std::size_t most) {
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   umask(022);
-  if (!arrange_work(work)) give_up_compiling("descriptors");
-  if (const char* step = enter_toolchain_root(work.files)) give_up_compiling(step);
+  if (!arrange_work(work)) give_up(work.step, "descriptors");
+  if (const char* step = enter_toolchain_root(work.files)) give_up(step_descriptor, step);
   const auto pid = static_cast<pid_t>(syscall(SYS_clone, SIGCHLD, 0, 0, 0, 0));
-  if (pid < 0) give_up_compiling("a process");
+  if (pid < 0) give_up(step_descriptor, "a process");
   if (pid == 0) become_compiler(work);
   const int status = wait_for(pid);
   if (WIFSIGNALED(status)) _exit(too_much);
@@ -420,8 +388,7 @@ Result<Compiled> compile_in_sandbox(const std::string& source, SourceLanguage la
   // The first process of the namespace takes all others with it.
   if (!is_in_time || !*is_in_time) kill(pid, SIGKILL);
   int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
+  TEMP_FAILURE_RETRY(waitpid(pid, &status, 0));
   if (!is_in_time) return tl::unexpected(is_in_time.error());
   auto judged = judge(status, *is_in_time, work, result.get(), step.get(), std::move(done));
   if (judged && !judged->why_not.empty() && language != SourceLanguage::project) {

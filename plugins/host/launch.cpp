@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <iterator>
 #include <sys/personality.h>
 #include <sys/stat.h>
 
@@ -22,34 +23,13 @@ namespace {
 const char* const environment[] = {"LANG=C", "OMP_NUM_THREADS=1", "OPENBLAS_NUM_THREADS=1",
                                    nullptr};
 
-// Greater than all numbers that the descriptors get in the end.
-constexpr int first_spare = 16;
-
-// Runs between fork and exec, where only async-signal-safe calls are allowed.
-[[noreturn]] void give_up(int setup, const char* step) {
-  const char* why = strerrorname_np(errno);
-  (void)!write(setup, step, std::strlen(step));
-  (void)!write(setup, ": ", 2);
-  if (why != nullptr) (void)!write(setup, why, std::strlen(why));
-  _exit(127);
-}
-
 // Gives the descriptors the numbers that the host program expects and closes all others.
 bool arrange_descriptors(const Launch& what, int program) {
   const int nothing = open("/dev/null", O_RDONLY);
   const int from[] = {nothing,      what.log,   what.log,   what.observation,
                       what.command, what.setup, what.entry, program};
-  constexpr int count = sizeof from / sizeof from[0];
-  static_assert(count == program_descriptor + 1);
-  int spare[count];
-  for (int i = 0; i < count; ++i) {
-    spare[i] = fcntl(from[i], F_DUPFD, first_spare);
-    if (spare[i] < 0) return false;
-  }
-  for (int i = 0; i < count; ++i) {
-    if (dup2(spare[i], i) < 0) return false;
-  }
-  return close_range(count, ~0U, 0) == 0 && fcntl(program_descriptor, F_SETFD, FD_CLOEXEC) == 0;
+  static_assert(std::size(from) == program_descriptor + 1);
+  return take_descriptors(from) && fcntl(program_descriptor, F_SETFD, FD_CLOEXEC) == 0;
 }
 
 // Restores the default handlers, because exec keeps ignored signals. All signals are blocked until

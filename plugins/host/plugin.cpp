@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/host/plugin.hpp"
 
+#include "core/base/error.hpp"
 #include "plugins/host/floating_point.hpp"
 #include "plugins/host/team_host.hpp"
 
@@ -39,8 +40,9 @@ std::string cause_of(const std::exception& e) {
   return std::string("exception ") + (name ? name.get() : "");
 }
 
-// Runs foreign code and turns any exception into a fault with a sentence. Nothing is called before
-// that code, so that a careful host finds the stack as it was filled.
+// Runs foreign code, restores the floating-point mode after it, and turns any exception into a
+// fault with a sentence. Nothing is called before that code, so that a careful host finds the stack
+// as it was filled.
 template <class Call>
 tl::expected<void, Fault> guarded(const char* function, Call call) {
   const auto threw = [function](const std::string& what, std::string cause = "exception",
@@ -48,6 +50,7 @@ tl::expected<void, Fault> guarded(const char* function, Call call) {
     return tl::unexpected<Fault>(
         Fault{FaultCode::crash, std::string(function) + "() threw" + what, std::move(cause), line});
   };
+  const FloatingPointGuard guard;
   try {
     call();
     return {};
@@ -168,12 +171,7 @@ tl::expected<mirocup_command, Fault> Plugin::decide(const mirocup_observation& o
 
 tl::expected<mirocup_command, Fault> Plugin::decide(const mirocup_observation& observation,
                                                     mirocup_command& command) {
-  tl::expected<void, Fault> called;
-  {
-    const FloatingPointGuard guard;
-    called = guarded("decide", [&] { strategy_->decide(team_, &observation, &command); });
-  }
-  if (!called) return tl::unexpected(called.error());
+  MIROCUP_TRY_VOID(guarded("decide", [&] { strategy_->decide(team_, &observation, &command); }));
   return command;
 }
 
@@ -186,12 +184,7 @@ tl::expected<mirocup_placement, Fault> Plugin::place(const mirocup_observation& 
     placement.robots[i] = {robot.x, robot.y, robot.heading};
   }
   if (strategy_->place == nullptr) return placement;
-  tl::expected<void, Fault> called;
-  {
-    const FloatingPointGuard guard;
-    called = guarded("place", [&] { strategy_->place(team_, &observation, &placement); });
-  }
-  if (!called) return tl::unexpected(called.error());
+  MIROCUP_TRY_VOID(guarded("place", [&] { strategy_->place(team_, &observation, &placement); }));
   return placement;
 }
 

@@ -458,14 +458,9 @@ void ProcessController::read_log() {
   }
 }
 
-std::string ProcessController::output() {
+std::string ProcessController::output(Ticks ticks) {
   read_log();
-  return log_.text();
-}
-
-std::string ProcessController::output_with_ticks() {
-  read_log();
-  return log_.text_with_ticks();
+  return log_.text(ticks);
 }
 
 }  // namespace mirocup::plugins

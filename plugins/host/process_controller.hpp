@@ -132,11 +132,8 @@ class ProcessController final : public match::Controller {
   // nothing if the kernel does not tell.
   std::optional<double> slept_seconds() const;
 
-  // Returns the output of the team so far, bounded and escaped.
-  std::string output();
-
-  // Like output(), with "tick 606: " before each line that the team printed while it answered.
-  std::string output_with_ticks();
+  // Returns the output of the team so far, bounded and escaped, as TeamLog::text().
+  std::string output(Ticks ticks = Ticks::left_out);
 
  private:
   using WallClock = std::chrono::steady_clock;

@@ -12,7 +12,7 @@ namespace {
 constexpr char tick_mark = '\x1e';  // stands on both sides of the number of a tick
 
 // Returns the raw text with its marks as words, or without them.
-std::string with_words(std::string_view raw, bool has_ticks) {
+std::string with_words(std::string_view raw, Ticks ticks) {
   std::string text;
   while (!raw.empty()) {
     const std::size_t begin = raw.find(tick_mark);
@@ -21,7 +21,7 @@ std::string with_words(std::string_view raw, bool has_ticks) {
     raw.remove_prefix(begin + 1);
     const std::size_t end = raw.find(tick_mark);
     if (end == std::string_view::npos) break;
-    if (has_ticks) text += "tick " + std::string(raw.substr(0, end)) + ": ";
+    if (ticks == Ticks::shown) text += "tick " + std::string(raw.substr(0, end)) + ": ";
     raw.remove_prefix(end + 1);
   }
   return text;
@@ -56,25 +56,16 @@ void TeamLog::add(std::string_view bytes) {
   left_out_ += too_old;
 }
 
-std::string TeamLog::text() const {
-  return text(false);
-}
-
-std::string TeamLog::text_with_ticks() const {
-  return text(true);
-}
-
-std::string TeamLog::text(bool has_ticks) const {
+std::string TeamLog::text(Ticks ticks) const {
   // What is left of a mark that was cut.
   std::string_view rest = end_;
   if (left_out_ > 0 || beginning_.ends_with(tick_mark)) {
     const std::size_t digits = rest.find_first_not_of("0123456789");
     if (digits < rest.size() && rest[digits] == tick_mark) rest.remove_prefix(digits + 1);
   }
-  std::string beginning =
-      system::printable(with_words(beginning_, has_ticks), system::LineEnds::kept);
-  std::string end = system::printable(with_words(rest, has_ticks), system::LineEnds::kept);
-  const std::size_t times = has_ticks ? 2 : 1;
+  std::string beginning = system::printable(with_words(beginning_, ticks), system::LineEnds::kept);
+  std::string end = system::printable(with_words(rest, ticks), system::LineEnds::kept);
+  const std::size_t times = ticks == Ticks::shown ? 2 : 1;
   const std::size_t most = times * max_beginning;
   const std::size_t most_at_end = times * max_end;
   if (left_out_ == 0 && beginning.size() + end.size() <= most + most_at_end) return beginning + end;

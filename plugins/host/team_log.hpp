@@ -11,6 +11,8 @@
 
 namespace mirocup::plugins {
 
+enum class Ticks { left_out, shown };
+
 // Keeps the beginning and the end of the output, and counts the bytes between them.
 class TeamLog {
  public:
@@ -22,15 +24,12 @@ class TeamLog {
   void append(std::string_view bytes);
   void append(std::string_view bytes, std::uint32_t tick);
 
-  // Returns the log, escaped, at most 64 KiB.
-  std::string text() const;
-
-  // Like text(), with "tick 606: " before each line that is marked; at most twice as long.
-  std::string text_with_ticks() const;
+  // Returns the log, escaped, at most 64 KiB; with "tick 606: " before each line that is marked, at
+  // most twice as long.
+  std::string text(Ticks ticks = Ticks::left_out) const;
 
  private:
   void add(std::string_view raw);
-  std::string text(bool has_ticks) const;
 
   std::string beginning_;  // raw
   std::string end_;        // raw bytes, at most twice max_end

@@ -4,7 +4,9 @@
 #include "plugins/abi/convert.hpp"
 #include "plugins/host/host_program.hpp"
 
+#include <array>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <initializer_list>
 #include <optional>
@@ -15,58 +17,29 @@ namespace mirocup::plugins {
 
 namespace {
 
-// The call of a team that runs in this process.
+// The call of a team that runs in this thread, if it has a colour. A variable of the thread,
+// because a signal handler takes no pointer, and the handler runs in the thread that has crashed.
 struct RunningCall {
-  const char* colour = "";
+  const char* colour = nullptr;
   const char* function = "";
   std::uint32_t tick = 0;
 };
-
-// A variable of the thread, because a signal handler takes no pointer, and the handler runs in the
-// thread that has crashed.
-thread_local const RunningCall* running_call = nullptr;
-
-void print_part(const char* text) {
-  (void)!write(STDERR_FILENO, text, std::strlen(text));
-}
-
-void print_number(std::uint32_t number) {
-  char digits[12];
-  char* first = digits + sizeof digits - 1;
-  *first = '\0';
-  do *--first = static_cast<char>('0' + number % 10);
-  while ((number /= 10) > 0);
-  print_part(first);
-}
+thread_local RunningCall running_call;
 
 // Prints the running call, and then ends the process by the signal's default action.
 void tell_of_crash(int signal) {
-  if (const RunningCall* call = running_call) {
-    print_part("mirocup: the ");
-    print_part(call->colour);
-    print_part(" team crashed in this process, in ");
-    print_part(call->function);
-    print_part(" of tick ");
-    print_number(call->tick);
-    print_part(", by ");
-    print_part(sigdescr_np(signal));
-    print_part("; with gdb --args before the command, bt shows the line\n");
+  const auto& [colour, function, tick] = running_call;
+  if (colour != nullptr) {
+    std::array<char, 256> text;
+    (void)std::snprintf(text.data(), text.size(),
+                        "mirocup: the %s team crashed in this process, in %s of tick %u, by %s; "
+                        "with gdb --args before the command, bt shows the line\n",
+                        colour, function, tick, sigdescr_np(signal));
+    (void)!write(STDERR_FILENO, text.data(), std::strlen(text.data()));
   }
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
-
-// Marks a call as running as long as the object lives.
-class RunningCallMark {
- public:
-  explicit RunningCallMark(const RunningCall& call) : call_(call) { running_call = &call_; }
-  RunningCallMark(const RunningCallMark&) = delete;
-  RunningCallMark& operator=(const RunningCallMark&) = delete;
-  ~RunningCallMark() { running_call = nullptr; }
-
- private:
-  RunningCall call_;
-};
 
 }  // namespace
 
@@ -113,13 +86,15 @@ match::Answer TrustedController::collect() {
   facts_->host.shapes = 0;
   std::optional<match::PlacementRequest> poses;
   if (observation_.placing != 0) {
-    const RunningCallMark mark({colour_.c_str(), "place()", observation_.tick});
+    running_call = {colour_.c_str(), "place()", observation_.tick};
     const auto placement = plugin_.place(observation_);
+    running_call = {};
     if (!placement) return placement.error();
     poses = abi::to_poses(*placement);
   }
-  const RunningCallMark mark({colour_.c_str(), "decide()", observation_.tick});
+  running_call = {colour_.c_str(), "decide()", observation_.tick};
   const auto decided = plugin_.decide(observation_);
+  running_call = {};
   if (!decided) return decided.error();
   match::Command command = abi::to_command(*decided);
   command.placement = poses;

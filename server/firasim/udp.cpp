@@ -173,11 +173,9 @@ bool Receiver::receive(Datagram& datagram) const {
   std::array<char, max_size> buffer;
   sockaddr_in from{};
   socklen_t length = sizeof from;
-  ssize_t size = 0;
-  do {
-    size = recvfrom(socket_.get(), buffer.data(), buffer.size(), MSG_TRUNC,
-                    reinterpret_cast<sockaddr*>(&from), &length);
-  } while (size < 0 && errno == EINTR);
+  const ssize_t size =
+      TEMP_FAILURE_RETRY(recvfrom(socket_.get(), buffer.data(), buffer.size(), MSG_TRUNC,
+                                  reinterpret_cast<sockaddr*>(&from), &length));
   if (size < 0) return false;
   datagram.from = to_endpoint(from);
   datagram.bytes.assign(buffer.data(), static_cast<std::size_t>(size) > max_size

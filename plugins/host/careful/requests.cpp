@@ -83,11 +83,6 @@ FILE* fopen(const char* path, const char* mode) {
   return real<FILE*(const char*, const char*)>("fopen")(path, mode);
 }
 
-FILE* fopen64(const char* path, const char* mode) {
-  note("file", path);
-  return real<FILE*(const char*, const char*)>("fopen64")(path, mode);
-}
-
 int open(const char* path, int flags, ...) {
   note("file", path);
   std::va_list rest;
@@ -97,14 +92,8 @@ int open(const char* path, int flags, ...) {
   return real<int(const char*, int, ...)>("open")(path, flags, mode);
 }
 
-int open64(const char* path, int flags, ...) {
-  note("file", path);
-  std::va_list rest;
-  va_start(rest, flags);
-  const int mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, int) : 0;
-  va_end(rest);
-  return real<int(const char*, int, ...)>("open64")(path, flags, mode);
-}
+decltype(fopen) fopen64 [[gnu::alias("fopen")]];
+decltype(open) open64 [[gnu::alias("open")]];
 
 char* getenv(const char* name) noexcept {
   note("variable", name);

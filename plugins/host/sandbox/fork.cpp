@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <linux/capability.h>
@@ -95,10 +96,7 @@ bool send_byte(const system::Descriptor& line) {
 }
 bool receive_byte(const system::Descriptor& line) {
   char byte = 0;
-  ssize_t n = 0;
-  while ((n = read(line.get(), &byte, 1)) < 0 && errno == EINTR) {
-  }
-  return n == 1;
+  return TEMP_FAILURE_RETRY(read(line.get(), &byte, 1)) == 1;
 }
 
 }  // namespace
@@ -137,6 +135,27 @@ Result<pid_t> fork_isolated(Isolation isolation, const std::function<void()>& ru
   kill(pid, SIGKILL);
   waitpid(pid, nullptr, 0);
   return error;
+}
+
+bool take_descriptors(std::span<const int> descriptors) {
+  constexpr int first_spare = 32;  // greater than all numbers that the descriptors get
+  std::array<int, first_spare> spare;
+  const int count = static_cast<int>(descriptors.size());
+  for (int i = 0; i < count; ++i) {
+    spare[i] = fcntl(descriptors[i], F_DUPFD, first_spare);
+    if (spare[i] < 0) return false;
+  }
+  for (int i = 0; i < count; ++i) {
+    if (dup2(spare[i], i) < 0) return false;
+  }
+  return close_range(count, ~0U, 0) == 0;
+}
+
+void give_up(int to, const char* step) {
+  std::array<char, 200> text;
+  (void)std::snprintf(text.data(), text.size(), "%s: %s", step, strerrordesc_np(errno));
+  (void)!write(to, text.data(), std::strlen(text.data()));
+  _exit(127);
 }
 
 }  // namespace mirocup::plugins

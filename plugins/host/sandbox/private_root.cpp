@@ -41,19 +41,7 @@ bool add_entry(int entry) {
   if (fstat(entry, &status) != 0) return false;
   const system::Descriptor file(
       open(private_entry_path + 1, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0444));
-  off_t done = 0;
-  while (done < status.st_size) {
-    const auto rest = static_cast<std::size_t>(status.st_size - done);
-    if (sendfile(file.get(), entry, &done, rest) <= 0) return false;
-  }
-  return true;
-}
-
-bool make_folders() {
-  for (const char* folder : {"usr", "usr/local", "etc", "entry"}) {
-    if (mkdir(folder, 0755) != 0) return false;
-  }
-  return true;
+  return send_file(file.get(), entry, status.st_size);
 }
 
 }  // namespace
@@ -78,11 +66,24 @@ bool show_folder(const char* path) {
   return mkdir(path + 1, 0755) == 0 && bind(path);
 }
 
-const char* begin_root(const char* options) {
+bool send_file(int to, int from, off_t size) {
+  for (off_t done = 0; done < size;) {
+    if (sendfile(to, from, &done, static_cast<std::size_t>(size - done)) <= 0) return false;
+  }
+  return true;
+}
+
+const char* begin_root(const char* options, std::initializer_list<const char*> folders) {
   if (mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return "private mounts";
   if (mount("mirocup", workshop, "tmpfs", MS_NOSUID | MS_NODEV, options) != 0 ||
       chdir(workshop) != 0) {
     return "an empty root";
+  }
+  for (const char* folder : folders) {
+    if (mkdir(folder, 0755) != 0) return "the folders of the root";
+  }
+  for (const char* folder : library_folders) {
+    if (!show_folder(folder)) return folder;
   }
   return nullptr;
 }
@@ -95,11 +96,8 @@ const char* change_root() {
 }
 
 const char* enter_private_root(int entry) {
-  if (const char* step = begin_root(root_options)) return step;
-  if (!make_folders()) return "the folders of the root";
-  for (const char* folder : library_folders) {
-    if (!show_folder(folder)) return folder;
-  }
+  if (const char* step = begin_root(root_options, {"usr", "usr/local", "etc", "entry"}))
+    return step;
   if (!add_loader_cache()) return loader_cache;
   if (entry != no_entry && !add_entry(entry)) return "the copy of the library";
   if (const char* step = change_root()) return step;

@@ -4,6 +4,9 @@
 // library, all read-only, and nothing else.
 #pragma once
 
+#include <initializer_list>
+#include <sys/types.h>
+
 namespace mirocup::plugins {
 
 inline constexpr int no_entry = -1;
@@ -23,10 +26,11 @@ inline constexpr const char* loader_cache = "/etc/ld.so.cache";
 // errno says why.
 const char* enter_private_root(int entry);
 
-// The common steps of making file trees. begin_root() makes an empty tree in a tmpfs with these
-// mount options, and enters it. change_root() makes the tree that was entered the root of the
-// process. Both functions return null on success, otherwise the step that failed.
-const char* begin_root(const char* options);
+// The common steps of making file trees. begin_root() makes a tree in a tmpfs with these mount
+// options, enters it, makes the folders and shows the library folders. change_root() makes the tree
+// that was entered the root of the process. Both functions return null on success, otherwise the
+// step that failed.
+const char* begin_root(const char* options, std::initializer_list<const char*> folders);
 const char* change_root();
 
 // Shows a folder of the system in the tree, read-only. If the folder is a symbolic link, as /lib is
@@ -34,5 +38,8 @@ const char* change_root();
 bool show_folder(const char* path);
 
 bool make_read_only(const char* path);
+
+// Sends that many bytes, from the beginning of a file on. Allocates nothing.
+bool send_file(int to, int from, off_t size);
 
 }  // namespace mirocup::plugins

@@ -8,9 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <fcntl.h>
 #include <linux/seccomp.h>
 #include <sys/syscall.h>
@@ -36,9 +33,7 @@ const char* cure_of(const Error& refused) {
 
 // In the child: tells the parent which step was refused.
 [[noreturn]] void enter_root_and_report(int to) {
-  const char* step = enter_private_root(no_entry);
-  const char* why = step != nullptr ? strerrordesc_np(errno) : nullptr;
-  if (step != nullptr) dprintf(to, "%s: %s", step, why != nullptr ? why : "?");
+  if (const char* step = enter_private_root(no_entry)) give_up(to, step);
   _exit(0);
 }
 
@@ -54,10 +49,8 @@ Result<std::string> try_namespaces() {
   std::array<char, 200> text{};
   const ssize_t length = read(from.get(), text.data(), text.size());
   int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  const bool has_ended = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  if (!has_ended)
+  TEMP_FAILURE_RETRY(waitpid(pid, &status, 0));
+  if (length <= 0 && status != 0)
     return fail(Errc::unavailable, "the process that tried to make a separate root folder died");
   return std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
 }

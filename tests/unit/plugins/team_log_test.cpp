@@ -37,11 +37,11 @@ TEST(TeamLog, KnowsTheTickOfEachLine) {
       "forged\n",
       8);
   EXPECT_EQ(log.text(), "loaded\none\ntwo\n?9?forged\n");
-  EXPECT_EQ(log.text_with_ticks(), "loaded\ntick 6: one\ntick 6: two\ntick 8: ?9?forged\n");
+  EXPECT_EQ(log.text(Ticks::shown), "loaded\ntick 6: one\ntick 6: two\ntick 8: ?9?forged\n");
   for (std::uint32_t tick = 0; tick < 30000; ++tick) log.append("0123456789\n", tick);
   EXPECT_LE(log.text().size(), 65536u);
-  EXPECT_LE(log.text_with_ticks().size(), 131072u);
-  EXPECT_TRUE(log.text_with_ticks().ends_with("tick 29999: 0123456789\n"));
+  EXPECT_LE(log.text(Ticks::shown).size(), 131072u);
+  EXPECT_TRUE(log.text(Ticks::shown).ends_with("tick 29999: 0123456789\n"));
 }
 
 TEST(TeamLog, KeepsAShortLogWhole) {
