@@ -4,6 +4,7 @@
 // `mirocup` to be: a program that has the core already may load or link such a library.
 #include "core/field/field.hpp"
 #include "core/match/command.hpp"
+#include "core/match/copy_fields.hpp"
 #include "core/match/observed_robot.hpp"
 #include "core/simulator/trajectory/closed_form.hpp"
 #include "core/simulator/world.hpp"
@@ -57,15 +58,7 @@ Robot turned(const Body& body) {
 // The model of a match, with the numbers of this leg.
 simulator::Parameters parameters_of(const Setup& setup) {
   simulator::Parameters p;
-  p.robot_side = setup.robot_side;
-  p.robot_mass = setup.robot_mass;
-  p.wheel_distance = setup.wheel_distance;
-  p.wheel_radius = setup.wheel_radius;
-  p.motor_time_constant = setup.motor_time_constant;
-  p.wheel_speed_limit = setup.wheel_speed_limit;
-  p.grip = setup.grip;
-  p.ball_radius = setup.ball_radius;
-  p.ball_mass = setup.ball_mass;
+  core::match::copy_bodies(setup, p);
   p.turn_time_constant = setup.turn_time_constant;
   p.brake_time_constant = setup.brake_time_constant;
   p.rolling_resistance = setup.rolling_resistance;
@@ -82,6 +75,14 @@ simulator::Parameters parameters_of(const Setup& setup) {
   std::copy_n(setup.corner_x, core::geometry::max_corners, p.robot_corners.x.begin());
   std::copy_n(setup.corner_y, core::geometry::max_corners, p.robot_corners.y.begin());
   return p;
+}
+
+// Puts the ball into an observation; a sign of -1 turns it into the frame of the other team.
+void put(const MovingBall& ball, double sign, Observation& now) {
+  now.ball_x = sign * ball.at.x;
+  now.ball_y = sign * ball.at.y;
+  now.ball_vx = sign * ball.velocity.x;
+  now.ball_vy = sign * ball.velocity.y;
 }
 
 core::match::DrivenCommand driven(const Setup& setup, const Command& command) {
@@ -120,10 +121,7 @@ Scene scene_of(const Observation& now) {
 }
 
 void show(const Scene& scene, Observation& now) {
-  now.ball_x = scene.ball.at.x;
-  now.ball_y = scene.ball.at.y;
-  now.ball_vx = scene.ball.velocity.x;
-  now.ball_vy = scene.ball.velocity.y;
+  put(scene.ball, 1.0, now);
   for (int i = 0; i < scene.robots; ++i) {
     now.own[i] = robot_of(scene.own[i]);
     now.opponent[i] = robot_of(scene.opponent[i]);
@@ -131,10 +129,7 @@ void show(const Scene& scene, Observation& now) {
 }
 
 void show_to_opponents(const Scene& scene, Observation& now) {
-  now.ball_x = -scene.ball.at.x;
-  now.ball_y = -scene.ball.at.y;
-  now.ball_vx = -scene.ball.velocity.x;
-  now.ball_vy = -scene.ball.velocity.y;
+  put(scene.ball, -1.0, now);
   for (int i = 0; i < scene.robots; ++i) {
     now.own[i] = turned(scene.opponent[i]);
     now.opponent[i] = turned(scene.own[i]);

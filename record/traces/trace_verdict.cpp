@@ -51,6 +51,11 @@ Json indices(const referee::RobotSet& set) {
   return list;
 }
 
+Json without_law(const std::string& id, const char* decision, const std::string& reason) {
+  return {
+      {"id", id}, {"decision", decision}, {"law", nullptr}, {"reason", reason}, {"at", nullptr}};
+}
+
 // Shows a trace to a referee, sample by sample, until it decides.
 class TraceJudge {
  public:
@@ -70,12 +75,8 @@ class TraceJudge {
 
  private:
   Json none() const {
-    return {
-        {"id", trace_.id},
-        {"decision", "NONE"},
-        {"law", nullptr},
-        {"reason", trace_.state == TraceState::READY ? "play has not begun" : "no law was broken"},
-        {"at", nullptr}};
+    const bool is_ready = trace_.state == TraceState::READY;
+    return without_law(trace_.id, "NONE", is_ready ? "play has not begun" : "no law was broken");
   }
 
   Json play() {
@@ -289,8 +290,7 @@ Json judge_trace(const Trace& trace) {
 }
 
 Json reject_trace(const std::string& id, const std::string& reason) {
-  return {
-      {"id", id}, {"decision", "REJECTED"}, {"law", nullptr}, {"reason", reason}, {"at", nullptr}};
+  return without_law(id, "REJECTED", reason);
 }
 
 }  // namespace mirocup::traces
