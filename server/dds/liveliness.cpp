@@ -7,14 +7,6 @@ namespace {
 
 constexpr std::size_t max_listed = 100;
 
-// True if the team has been there after `moment`.
-bool was_seen_after(double moment, const Presence& presence) {
-  if (std::holds_alternative<Elsewhere>(presence)) return true;
-  if (const auto* present = std::get_if<Present>(&presence)) return present->heard > moment;
-  if (const auto* late = std::get_if<Owing>(&presence)) return late->heard > moment;
-  return false;
-}
-
 }  // namespace
 
 bool Liveliness::answered(std::uint32_t tick, double now) {
@@ -58,29 +50,18 @@ std::optional<double> Liveliness::lost_at(double now) const {
 }
 
 Standing Liveliness::standing(double now) const {
-  Presence presence = Present{heard_};
-  if (away_since_ && present_.has_left) {
-    presence = Left{*away_since_, present_.noticed};
-  } else if (away_since_) {
-    presence = Away{*away_since_, present_.noticed};
-  } else if (owes_) {
-    presence = Owing{heard_};
-  }
-  return {presence, lost_at(now)};
+  return {.seen = away_since_ ? std::nullopt : std::optional(heard_), .lost_at = lost_at(now)};
 }
 
 Verdict judge_absences(const match::ByTeam<Standing>& teams, double host_was_down, double limit) {
-  if (host_was_down > limit) return HostAtFault{};
-  Disconnected lost;
-  for (const Team team : both_teams) {
-    lost.teams[index_of(team)] = teams[index_of(team)].lost_at.has_value();
-  }
-  if (!lost.teams[0] && !lost.teams[1]) return PlayOn{};
-  if (lost.teams[0] && lost.teams[1]) return lost;
-  const Standing& loser = teams[lost.teams[0] ? 0 : 1];
-  const Standing& other = teams[lost.teams[0] ? 1 : 0];
-  if (was_seen_after(*loser.lost_at, other.presence)) return lost;
-  return AwaitOther{};
+  Verdict verdict{.is_hosts_fault = host_was_down > limit};
+  const bool blue = teams[0].lost_at.has_value(), yellow = teams[1].lost_at.has_value();
+  if (verdict.is_hosts_fault || (!blue && !yellow)) return verdict;
+  const Standing& loser = teams[blue ? 0 : 1];
+  const Standing& other = teams[blue ? 1 : 0];
+  verdict.awaits_other = blue != yellow && !(other.seen && *other.seen > *loser.lost_at);
+  if (!verdict.awaits_other) verdict.lost = {blue, yellow};
+  return verdict;
 }
 
 }  // namespace mirocup::dds

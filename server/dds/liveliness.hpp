@@ -14,8 +14,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
-#include <variant>
 #include <vector>
 
 namespace mirocup::dds {
@@ -29,37 +29,21 @@ namespace mirocup::dds {
 //
 // Times are seconds of wall time since a common moment.
 
-// The presence of a team at one moment.
-struct Elsewhere {};  // the team does not play over the network; its controller reports its faults
-struct Present {
-  double heard = 0.0;  // the time of the team's last command
-};
-struct Owing {  // the team owes an answer, but is not yet away
-  double heard = 0.0;
-};
-struct Away {  // the team has been silent for too long
-  double since = 0.0;
-  std::uint32_t tick = 0;  // the tick in which the server noticed the absence
-};
-struct Left {  // the team's process has left the network
-  double since = 0.0;
-  std::uint32_t tick = 0;
-};
-using Presence = std::variant<Elsewhere, Present, Owing, Away, Left>;
-
+// A team at one moment.
 struct Standing {
-  Presence presence;
+  // The time of the team's last command; nothing while the team is away. A team that does not play
+  // over the network is always seen; its controller reports its faults.
+  std::optional<double> seen = std::numeric_limits<double>::infinity();
   std::optional<double> lost_at;  // when the team's absences together exceeded the limit
 };
 
-// The possible verdicts.
-struct PlayOn {};
-struct AwaitOther {};  // one team has lost, but no command of the opponents has come since
-struct Disconnected {
-  match::ByTeam<bool> teams{};  // true: the team has lost
+struct Verdict {
+  bool is_hosts_fault = false;
+  match::ByTeam<bool> lost{};  // the teams that have lost
+  bool awaits_other = false;  // one team would lose, but no command of the opponents has come since
+
+  bool ends_leg() const { return is_hosts_fault || lost[0] || lost[1]; }
 };
-struct HostAtFault {};
-using Verdict = std::variant<PlayOn, AwaitOther, Disconnected, HostAtFault>;
 
 // `host_was_down` is the time for which the host's own network was down in this leg. Such time does
 // not count as absence of a team. If the network was down for longer than `limit`, the leg is void.
@@ -99,7 +83,7 @@ class Liveliness {
   // Returns how long the team has been away in this leg, s, the present absence included.
   double away(double now) const { return away_ + (away_since_ ? now - *away_since_ : 0.0); }
 
-  // Returns the team's presence at this moment, and whether it has lost by absence.
+  // Returns whether the team is there at this moment, and whether it has lost by absence.
   Standing standing(double now) const;
 
   // Returns the first absences of the leg, at most 100.

@@ -84,7 +84,7 @@ Result<Seat*> MatchServer::add_seat(const match::Briefing& briefing, const std::
                 .excused = [this] { return excused_ ? excused_->total() : 0.0; },
                 .host_failure = [this] { return host_failure(); },
                 .credentials_end = std::nullopt,
-                .last_error = [this] { return last_error(); },
+                .last_error = [this] { return domain_.log->last_error_suffix(); },
                 .reach = reach()};
   if (const std::string& folder = domain_.credentials; !folder.empty()) {
     const std::int64_t last_end = latest_end(terms);
@@ -177,8 +177,9 @@ void MatchServer::settle() {
   while (true) {
     const bool all_answered =
         std::ranges::all_of(seats_, [](auto& s) { return s->has_answered(); });
-    bool awaits_other = false;
-    if (decides_by_absence(all_answered, awaits_other)) return;
+    const Verdict verdict = judge_teams(all_answered);
+    if (verdict.ends_leg()) return;
+    const bool awaits_other = verdict.awaits_other;
     const JoinTerms& terms = seats_.front()->terms();
     if (!awaits_other) {
       const bool is_over =
@@ -199,26 +200,19 @@ void MatchServer::settle() {
   }
 }
 
-// Looks at both teams at once, so that the order of the seats decides nothing. Returns true if the
-// leg ends by it.
-bool MatchServer::decides_by_absence(bool all_have_answered, bool& awaits_other) {
+// Looks at both teams at once, so that the order of the seats decides nothing, and ends the seats
+// if the leg ends.
+Verdict MatchServer::judge_teams(bool all_have_answered) {
   match::ByTeam<Standing> teams{};
   for (const auto& seat : seats_) {
     teams[index_of(seat->team())] = all_have_answered ? seat->standing() : seat->look();
   }
-  const JoinTerms& terms = seats_.front()->terms();
-  const Verdict verdict = judge_absences(teams, excused_->was_down(), terms.away);
-  awaits_other = std::holds_alternative<AwaitOther>(verdict);
-  if (std::holds_alternative<HostAtFault>(verdict)) {
-    for (const auto& seat : seats_) seat->end(*host_failure());
-    return true;
-  }
-  const auto* lost = std::get_if<Disconnected>(&verdict);
-  if (lost == nullptr) return false;
+  const Verdict verdict = judge_absences(teams, excused_->was_down(), seats_.front()->terms().away);
   for (const auto& seat : seats_) {
-    if (lost->teams[index_of(seat->team())]) seat->end(seat->disconnected());
+    if (verdict.is_hosts_fault) seat->end(*host_failure());
+    if (verdict.lost[index_of(seat->team())]) seat->end(seat->disconnected());
   }
-  return true;
+  return verdict;
 }
 
 void MatchServer::publish_decisions(const match::Leg& match) {
@@ -259,10 +253,6 @@ std::string MatchServer::reach() const {
   return here +
          ", and the team's firewalls must let in UDP from this host; no NAT may be between them "
          "without --nat";
-}
-
-std::string MatchServer::last_error() const {
-  return domain_.log->last_error_suffix();
 }
 
 }  // namespace mirocup::dds

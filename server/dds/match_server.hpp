@@ -57,8 +57,6 @@ class MatchServer {
   // Publishes the end of the match and waits, at most 1 s, until all readers have received it.
   void close(const match::Leg& match);
 
-  // Returns the last messages of DDS as the end of a sentence; "" if DDS gave no message.
-  std::string last_error() const;
   std::string reach() const;  // as in SeatLink::reach
 
  private:
@@ -67,7 +65,7 @@ class MatchServer {
   void send_state();
   void look_after_host();
   double resend_after() const;
-  bool decides_by_absence(bool all_have_answered, bool& awaits_other);
+  Verdict judge_teams(bool all_have_answered);
   void publish_decisions(const match::Leg& match);
 
   std::string match_id_;

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "server/dds/nonce.hpp"
 
-#include "server/dds/wall_time.hpp"
+#include "system/digest.hpp"
 
-#include <sys/random.h>
+#include <cstring>
 
 namespace mirocup::dds {
 
 std::uint64_t random_nonce() {
   std::uint64_t number = 0;
-  while (number == 0) {
-    if (getrandom(&number, sizeof number, 0) != sizeof number) {
-      number = static_cast<std::uint64_t>(WallClock::now().time_since_epoch().count());
-    }
-  }
+  while (number == 0)
+    std::memcpy(&number, system::random_bytes(sizeof number).data(), sizeof number);
   return number;
 }
 

@@ -81,20 +81,20 @@ TEST(Liveliness, NoticesATeamThatFallsSilentAfterItsAnswer) {
   EXPECT_TRUE(a.silent(7, 2.6, false));
   EXPECT_EQ(a.absences()[0].tick, 7U);
   EXPECT_EQ(a.absences()[0].noticed, 7U);
-  EXPECT_TRUE(std::holds_alternative<Away>(a.standing(3.0).presence));
+  EXPECT_FALSE(a.standing(3.0).seen);
 }
 
 TEST(Liveliness, SaysWhenTheLimitIsOver) {
   Liveliness a(0.3, 2.0);
   a.asked(0.0);
-  EXPECT_TRUE(std::holds_alternative<Owing>(a.standing(0.1).presence));
+  EXPECT_TRUE(a.standing(0.1).seen);
   a.silent(0, 1.0, true);
-  EXPECT_TRUE(std::holds_alternative<Left>(a.standing(1.0).presence));
+  EXPECT_FALSE(a.standing(1.0).seen);
   EXPECT_FALSE(a.standing(3.0).lost_at);
   EXPECT_EQ(a.standing(3.1).lost_at, 3.0);
   a.answered(3, 2.5);
   a.asked(2.6);
-  EXPECT_EQ(std::get<Owing>(a.standing(2.7).presence).heard, 2.5);
+  EXPECT_EQ(a.standing(2.7).seen, 2.5);
   a.silent(4, 4.0, false);
   EXPECT_EQ(a.standing(5.0).lost_at, 4.5);
   a.answered(9, 6.0);  // too late: it has lost
