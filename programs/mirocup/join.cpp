@@ -226,9 +226,6 @@ void add_join(system::Commands& commands) {
   command.option("--join-within SECONDS", o.join_within, "Seconds to wait for the match")
       .between(0.0, longest_wait_s)
       .shows_default();
-  command.option("--patience", o.join_within, "The older name of --join-within")
-      .between(0.0, longest_wait_s)
-      .hidden();
   command.option("--credentials DIR", o.credentials,
                  "Folder with the team's credentials, for a match that asks for them");
   add_parameters(command, "--param", o.parameters, "the team");

@@ -42,7 +42,7 @@ class Credentials : public testing::Test {
 
   static std::vector<std::string> join(const std::string& id, const std::string& credentials) {
     auto arguments = test_support::join(id, "blue", "remote", "striker");
-    arguments.insert(arguments.end(), {"--patience", "60"});
+    arguments.insert(arguments.end(), {"--join-within", "60"});
     if (!credentials.empty()) arguments.insert(arguments.end(), {"--credentials", credentials});
     return arguments;
   }

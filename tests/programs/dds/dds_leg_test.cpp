@@ -235,7 +235,7 @@ TEST(DdsTeam, IsToldThatItsNameIsNotExpected) {
               run_until_said(reason,
                              [&id](const std::string& patience) {
                                auto arguments = join(id, "blue", "stranger", "idle");
-                               arguments.insert(arguments.end(), {"--patience", patience});
+                               arguments.insert(arguments.end(), {"--join-within", patience});
                                return run(arguments);
                              }),
               reason);

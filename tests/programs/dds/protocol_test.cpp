@@ -61,7 +61,7 @@ TEST(Protocol, ATeamNamesTheVersionOfItsServer) {
               run_until_said(reason,
                              [&](const std::string& patience) {
                                auto arguments = join(id, "blue", "ours", "idle");
-                               arguments.insert(arguments.end(), {"--patience", patience});
+                               arguments.insert(arguments.end(), {"--join-within", patience});
                                return run(arguments);
                              }),
               reason);
@@ -91,7 +91,7 @@ TEST(Protocol, AMatchMayHaveADomainOfItsOwn) {
   Running server(match(id, {"--dds-domain", "7"}));
   ASSERT_TRUE(is_there(server));
   auto elsewhere = join(id, "blue", "ours", "idle");
-  elsewhere.insert(elsewhere.end(), {"--patience", "1"});
+  elsewhere.insert(elsewhere.end(), {"--join-within", "1"});
   expect_exit(3, run(elsewhere), "no match server answered");
   auto here = join(id, "blue", "ours", "idle");
   here.insert(here.end(), {"--dds-domain", "7"});

@@ -268,7 +268,7 @@ TEST(DdsSession, KeepsTheSeatForTheProcessThatPlays) {
               run_until_said(reason,
                              [&id](const std::string& patience) {
                                auto arguments = join(id, "blue", "remote", "chaser");
-                               arguments.insert(arguments.end(), {"--patience", patience});
+                               arguments.insert(arguments.end(), {"--join-within", patience});
                                return run(arguments);
                              }),
               reason);
