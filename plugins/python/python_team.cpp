@@ -2,10 +2,12 @@
 #define PY_SSIZE_T_CLEAN
 #include "plugins/python/python_team.hpp"
 
+#include "core/match/thought.hpp"
 #include "mirocup/elementary.h"
 #include "plugins/host/plugin.hpp"
 
 #include <Python.h>
+#include <algorithm>
 #include <cstring>
 #include <dlfcn.h>
 #include <memory>
@@ -87,65 +89,37 @@ PyObject* host_parameter(PyObject* self, PyObject* arguments) {
   return PyFloat_FromDouble(setup.parameter(setup.host, name, fallback));
 }
 
-PyObject* host_draw_line(PyObject* self, PyObject* arguments) {
-  const char* layer = nullptr;
+// Draws a shape: its kind, layer, colour, the bytes of its numbers (match::Thought), and a text.
+PyObject* host_draw(PyObject* self, PyObject* arguments) {
+  int kind = 0;
+  const char *layer = nullptr, *bytes = nullptr, *text = nullptr;
   std::uint32_t colour = 0;
-  double x1 = 0.0, y1 = 0.0, x2 = 0.0, y2 = 0.0;
-  if (PyArg_ParseTuple(arguments, "sO&dddd:draw_line", &layer, read_colour, &colour, &x1, &y1, &x2,
-                       &y2) == 0)
-    return nullptr;
-  const mirocup_setup& setup = setup_in(self);
-  setup.draw_line(setup.host, layer, colour, x1, y1, x2, y2);
-  Py_RETURN_NONE;
-}
-
-PyObject* host_draw_circle(PyObject* self, PyObject* arguments) {
-  const char* layer = nullptr;
-  std::uint32_t colour = 0;
-  double x = 0.0, y = 0.0, radius = 0.0;
-  if (PyArg_ParseTuple(arguments, "sO&ddd:draw_circle", &layer, read_colour, &colour, &x, &y,
-                       &radius) == 0)
-    return nullptr;
-  const mirocup_setup& setup = setup_in(self);
-  setup.draw_circle(setup.host, layer, colour, x, y, radius);
-  Py_RETURN_NONE;
-}
-
-// The corners come as the bytes of doubles.
-PyObject* host_draw_polygon(PyObject* self, PyObject* arguments) {
-  const char* layer = nullptr;
-  std::uint32_t colour = 0;
-  const char* bytes = nullptr;
   Py_ssize_t size = 0;
-  if (PyArg_ParseTuple(arguments, "sO&y#:draw_polygon", &layer, read_colour, &colour, &bytes,
-                       &size) == 0)
+  if (PyArg_ParseTuple(arguments, "isO&y#s:draw", &kind, &layer, read_colour, &colour, &bytes,
+                       &size, &text) == 0)
     return nullptr;
-  std::vector<double> points(static_cast<std::size_t>(size) / sizeof(double));
-  std::memcpy(points.data(), bytes, points.size() * sizeof(double));
-  const mirocup_setup& setup = setup_in(self);
-  setup.draw_polygon(setup.host, layer, colour, points.data(),
-                     static_cast<std::int32_t>(points.size() / 2));
-  Py_RETURN_NONE;
-}
-
-PyObject* host_draw_text(PyObject* self, PyObject* arguments) {
-  const char* layer = nullptr;
-  std::uint32_t colour = 0;
-  double x = 0.0, y = 0.0;
-  const char* text = nullptr;
-  if (PyArg_ParseTuple(arguments, "sO&dds:draw_text", &layer, read_colour, &colour, &x, &y,
-                       &text) == 0)
-    return nullptr;
-  const mirocup_setup& setup = setup_in(self);
-  setup.draw_text(setup.host, layer, colour, x, y, text);
+  const std::size_t count = static_cast<std::size_t>(size) / sizeof(double);
+  std::vector<double> n(std::max<std::size_t>(count, 4));
+  std::memcpy(n.data(), bytes, count * sizeof(double));
+  const mirocup_setup& s = setup_in(self);
+  switch (static_cast<match::ThoughtKind>(kind)) {
+    case match::ThoughtKind::line:
+      s.draw_line(s.host, layer, colour, n[0], n[1], n[2], n[3]);
+      break;
+    case match::ThoughtKind::circle:
+      s.draw_circle(s.host, layer, colour, n[0], n[1], n[2]);
+      break;
+    case match::ThoughtKind::polygon:
+      s.draw_polygon(s.host, layer, colour, n.data(), static_cast<std::int32_t>(count / 2));
+      break;
+    case match::ThoughtKind::text:
+      s.draw_text(s.host, layer, colour, n[0], n[1], text);
+  }
   Py_RETURN_NONE;
 }
 
 PyMethodDef host_methods[] = {{"parameter", host_parameter, METH_VARARGS, nullptr},
-                              {"draw_line", host_draw_line, METH_VARARGS, nullptr},
-                              {"draw_circle", host_draw_circle, METH_VARARGS, nullptr},
-                              {"draw_polygon", host_draw_polygon, METH_VARARGS, nullptr},
-                              {"draw_text", host_draw_text, METH_VARARGS, nullptr}};
+                              {"draw", host_draw, METH_VARARGS, nullptr}};
 
 // ---- the functions of elementary.h, which mirocup.team has instead of those of math
 

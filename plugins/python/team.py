@@ -112,17 +112,17 @@ class Team:
     # The limits are those of "Thoughts" in mirocup/strategy.h.
 
     def draw_line(self, layer, colour, start, end):
-        self.__host.draw_line(layer, colour, *start, *end)
+        self.__host.draw(0, layer, colour, struct.pack("@4d", *start, *end), "")
 
     def draw_circle(self, layer, colour, centre, radius):
-        self.__host.draw_circle(layer, colour, *centre, radius)
+        self.__host.draw(1, layer, colour, struct.pack("@3d", *centre, radius), "")
 
     def draw_polygon(self, layer, colour, corners):
         numbers = [number for x, y in corners for number in (x, y)]
-        self.__host.draw_polygon(layer, colour, struct.pack(f"@{len(numbers)}d", *numbers))
+        self.__host.draw(2, layer, colour, struct.pack(f"@{len(numbers)}d", *numbers), "")
 
     def draw_text(self, layer, colour, at, text):
-        self.__host.draw_text(layer, colour, *at, text)
+        self.__host.draw(3, layer, colour, struct.pack("@2d", *at), text)
 
     def draw_value(self, name, value):
         """The page shows a curve of the value over time. The name has at most 31 bytes."""
@@ -621,10 +621,8 @@ class _host:  # the program that plays a team puts its own functions in place of
     def parameter(name, default):
         return default
 
-    def draw_line(*shape):
+    def draw(*shape):
         pass
-
-    draw_circle = draw_polygon = draw_text = draw_line
 
 
 def _warn(text):
@@ -824,12 +822,14 @@ def _cause_of(error, frames, own):
         return "SystemExit"
     if kind == "ImportError" and error.name is None:
         return "relative_import"
+    if isinstance(error, (TypeError, struct.error)) and own and ".draw_" in own[-1].line:
+        return "bad_point"
     if kind != "TypeError":
         return kind
     if own:
         if "'setup'" in str(error) and "__init__()" in str(error):
             return "super" if "super()" in own[-1].line else "makes_team"
-        return "no_default" if ".parameter(" in own[-1].line else "bad_point" if ".draw_" in own[-1].line else kind
+        return "no_default" if ".parameter(" in own[-1].line else kind
     # The call of a method itself does not take its arguments.
     return "signature" if frames and frames[-1].name in ("decide", "place", "_create") else kind
 
