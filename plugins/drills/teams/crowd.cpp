@@ -16,7 +16,8 @@ class Crowd : public DrillTeam {
   void before_steering() override {
     nearest_ = 1;
     for (int i = 2; i < now->robots; ++i) {
-      if (length(at(now->own[i]) - ball) < length(at(now->own[nearest_]) - ball)) nearest_ = i;
+      if (length(position(now->own[i]) - ball) < length(position(now->own[nearest_]) - ball))
+        nearest_ = i;
     }
   }
 
@@ -24,22 +25,22 @@ class Crowd : public DrillTeam {
     if (i != nearest_) {
       const int row = (i + 1) / 2;
       const double y = 0.2 * (i % 2 == 0 ? 1.0 : -1.0) * row;
-      return drive_clear(robot, make_way(keep_out({-0.4 * setup.half_length, y})));
+      return drive_clear(robot, make_way(keep_out({-0.4 * setup().half_length, y})));
     }
     if (must_kick_off()) return kick_off(robot);
     if (is_stuck()) return free_ball(robot);
-    const Point towards = unit(Point{setup.half_length, 0.0} - ball);
-    const Point from_ball = at(robot) - ball;
+    const Point towards = unit(Point{setup().half_length, 0.0} - ball);
+    const Point from_ball = position(robot) - ball;
     if (dot(from_ball, towards) < -0.5 * length(from_ball)) {
       return drive_to(robot, keep_out(ball + 0.1 * towards), 0.8, pace_);
     }
     return drive_clear(robot, make_way(keep_out(ball - 0.08 * towards)), 0.0, pace_);
   }
 
-  int nearest_ = 1;                     // to the ball, besides the keeper
-  double pace_ = 1.3 + 0.3 * random();  // m/s, of this leg
+  int nearest_ = 1;                               // to the ball, besides the keeper
+  double pace_ = 1.3 + 0.3 * random().uniform();  // m/s, of this leg
 };
 
 }  // namespace
 
-MIROCUP_EXPORT_DRILL_TEAM(Crowd, "drill:crowd")
+MIROCUP_EXPORT_TEAM(Crowd, "drill:crowd")

@@ -3,61 +3,23 @@
 // The common functions of the drill teams: copies of the driving, the laws and the goalkeeping of
 // strategy.hpp and skills/shoot.hpp from the time at which the drills were measured. With copies, a
 // better skill makes no drill harder. docs/drills.md ("The opponents") says when the copies may
-// change.
+// change. Points, angles, wheel speeds and random numbers are those of strategy.hpp:
+// they never change.
 //
 // Frames and units are those of strategy.h. The drill teams know only the laws of the small league.
 #pragma once
 
-#include "mirocup/elementary.h"
-#include "mirocup/strategy.h"
+#include "mirocup/strategy.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace mirocup::drill_teams {
 
-inline constexpr double pi = 3.14159265358979323846;
+using namespace strategy;
 
-struct Point {
-  double x = 0.0;
-  double y = 0.0;
-};
-inline Point operator+(Point a, Point b) {
-  return {a.x + b.x, a.y + b.y};
-}
-inline Point operator-(Point a, Point b) {
-  return {a.x - b.x, a.y - b.y};
-}
-inline Point operator*(double k, Point a) {
-  return {k * a.x, k * a.y};
-}
-inline double dot(Point a, Point b) {
-  return a.x * b.x + a.y * b.y;
-}
 inline double cross(Point a, Point b) {
   return a.x * b.y - a.y * b.x;
-}
-inline double length(Point a) {
-  return std::sqrt(dot(a, a));
-}
-inline Point unit(Point a) {
-  const double l = length(a);
-  return l > 0.0 ? (1.0 / l) * a : Point{1.0, 0.0};
-}
-inline double wrapped(double angle) {
-  const double rest = std::remainder(angle, 2.0 * pi);
-  return rest <= -pi ? pi : rest;
-}
-inline double squared(double heading) {
-  return pi / 2.0 * std::round(heading / (pi / 2.0));
-}
-
-using Wheels = mirocup_wheels;
-using Robot = mirocup_robot;
-
-inline Point at(const Robot& robot) {
-  return {robot.x, robot.y};
 }
 inline Point nose(const Robot& robot) {
   return {mirocup_cos(robot.heading), mirocup_sin(robot.heading)};
@@ -65,12 +27,11 @@ inline Point nose(const Robot& robot) {
 
 // A drill team: robot 0 keeps the goal, and steer() drives each of the other robots. `now` is the
 // observation of the tick.
-class DrillTeam {
+class DrillTeam : public Team {
  public:
-  explicit DrillTeam(const mirocup_setup& setup) : setup(setup), state_(setup.seed) {}
-  virtual ~DrillTeam() = default;
+  using Team::Team;
 
-  void decide(const mirocup_observation& observation, mirocup_command& command) {
+  void decide(const Observation& observation, Command& command) override {
     now = &observation;
     ball = {now->ball_x, now->ball_y};
     velocity = {now->ball_vx, now->ball_vy};
@@ -85,49 +46,26 @@ class DrillTeam {
     after_laws(command);
   }
 
-  // Chooses places at a restart, like place() of strategy.h.
-  virtual void place(const mirocup_observation& observation, mirocup_placement& placement) {
-    (void)observation;
-    (void)placement;
-  }
-
  protected:
   virtual void before_steering() {}
   virtual Wheels steer(int i, const Robot& robot) = 0;
-  virtual void after_laws(mirocup_command& command) { (void)command; }
-
-  // Returns a number in [0, 1) (splitmix64).
-  double random() {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
-  }
+  virtual void after_laws(Command& command) { (void)command; }
 
   // Returns the wheel speeds for a forward speed (m/s) and an angular velocity (rad/s).
   Wheels wheels_for(double forward, double turn) const {
-    const double side = turn * setup.wheel_distance / 2.0;
-    Wheels w{(forward - side) / setup.wheel_radius, (forward + side) / setup.wheel_radius};
-    const double fastest = std::max(std::abs(w.left), std::abs(w.right));
-    if (fastest > setup.wheel_speed_limit) {
-      const double k = setup.wheel_speed_limit / fastest;
-      w.left *= k;
-      w.right *= k;
-    }
-    return w;
+    return strategy::wheels_for(setup(), forward, turn);
   }
   double forward_of(Wheels wheels) const {
-    return setup.wheel_radius * (wheels.left + wheels.right) / 2.0;
+    return setup().wheel_radius * (wheels.left + wheels.right) / 2.0;
   }
   double turn_of(Wheels wheels) const {
-    return setup.wheel_radius * (wheels.right - wheels.left) / setup.wheel_distance;
+    return setup().wheel_radius * (wheels.right - wheels.left) / setup().wheel_distance;
   }
 
   // Drives to a point at no more than `fastest` m/s, and passes it at `arrival` m/s.
   Wheels drive_to(const Robot& robot, Point target, double arrival = 0.0,
                   double fastest = 1.5) const {
-    const Point to = target - at(robot);
+    const Point to = target - position(robot);
     const double distance = length(to);
     if (distance < 0.005 && arrival == 0.0) return {0.0, 0.0};
     double error = wrapped(mirocup_atan2(to.y, to.x) - robot.heading);
@@ -143,7 +81,7 @@ class DrillTeam {
 
   // Slows the robot down so that its wheels grip, because sliding wheels do not steer.
   Wheels steady(double direction, double speed, double turn) const {
-    const double most = 0.8 * setup.grip * 9.81;
+    const double most = 0.8 * setup().grip * 9.81;
     if (std::abs(speed * turn) > most) speed = most / std::abs(turn);
     return wheels_for(direction * speed, turn);
   }
@@ -152,7 +90,7 @@ class DrillTeam {
   Wheels drive_round(const Robot& robot, Point target, Point obstacle, double arrival,
                      double fastest) const {
     const double berth = 0.11;
-    const Point here = at(robot);
+    const Point here = position(robot);
     const Point path = target - here;
     const Point to = obstacle - here;
     const Point along = unit(path);
@@ -170,49 +108,49 @@ class DrillTeam {
   // Drives to a point round the ball or an opponent, and stands square at the point.
   Wheels drive_clear(const Robot& robot, Point target, double arrival = 0.0,
                      double fastest = 1.5) const {
-    const Point here = at(robot);
+    const Point here = position(robot);
     if (arrival == 0.0 && length(target - here) < 0.03) {
       return wheels_for(0.0, 8.0 * wrapped(squared(robot.heading) - robot.heading));
     }
     Point obstacle = ball;
     for (int j = 0; j < now->robots; ++j) {
-      const Point to = at(now->opponent[j]) - here;
+      const Point to = position(now->opponent[j]) - here;
       if (length(to) < 0.2 && length(to) < length(obstacle - here) &&
           dot(to, target - here) > 0.0) {
-        obstacle = at(now->opponent[j]);
+        obstacle = position(now->opponent[j]);
       }
     }
     return drive_round(robot, target, obstacle, arrival, fastest);
   }
 
   Point inside(Point p, double margin = 0.045) const {
-    return {std::clamp(p.x, -setup.half_length + margin, setup.half_length - margin),
-            std::clamp(p.y, -setup.half_width + margin, setup.half_width - margin)};
+    return {std::clamp(p.x, -setup().half_length + margin, setup().half_length - margin),
+            std::clamp(p.y, -setup().half_width + margin, setup().half_width - margin)};
   }
 
   // Returns the place where a robot that drives at 1.2 m/s meets the ball.
   Point meeting_point(const Robot& robot) const {
     Point p = ball;
     for (int i = 0; i < 3; ++i) {
-      const double s = std::min(length(p - at(robot)) / 1.2, 0.8);
+      const double s = std::min(length(p - position(robot)) / 1.2, 0.8);
       p = ball + (s * (1.0 - 0.1 * s)) * velocity;
     }
-    return inside(p, setup.ball_radius);
+    return inside(p, setup().ball_radius);
   }
 
   // Returns the target `p` of a robot that is not the keeper, moved out of the own goal area.
   Point keep_out(Point p) const {
-    const double front = -setup.half_length + setup.goal_area_depth + 0.095;
-    if (p.x < front && std::abs(p.y) < setup.goal_area_half_width + 0.095) p.x = front;
+    const double front = -setup().half_length + setup().goal_area_depth + 0.095;
+    if (p.x < front && std::abs(p.y) < setup().goal_area_half_width + 0.095) p.x = front;
     return p;
   }
 
   // Returns the place `p`, moved aside if the own keeper may clear the ball against a robot there.
   Point make_way(Point p) const {
-    const bool is_in_front = ball.x < -setup.half_length + setup.goal_area_depth + 0.15 &&
+    const bool is_in_front = ball.x < -setup().half_length + setup().goal_area_depth + 0.15 &&
                              p.x > ball.x + 0.02 && p.x < ball.x + 0.5;
     if (!is_in_front) return p;
-    const double aside = setup.goal_half_width + 0.1;
+    const double aside = setup().goal_half_width + 0.1;
     p.y = p.y < 0.0 ? std::min(p.y, -aside) : std::max(p.y, aside);
     return p;
   }
@@ -223,12 +161,12 @@ class DrillTeam {
 
   // Spins beside a stuck ball, so that the ball gets free.
   Wheels free_ball(const Robot& robot) const {
-    const Point to = ball - at(robot);
+    const Point to = ball - position(robot);
     if (length(to) > 0.07) return drive_to(robot, ball, 0.6, 1.2);
     Point way{1.0, 0.0};
-    if (ball.x > 0.3 * setup.half_length) {
-      way = Point{setup.half_length - 0.18, 0.0} - ball;
-    } else if (ball.x < -setup.half_length + 0.06) {
+    if (ball.x > 0.3 * setup().half_length) {
+      way = Point{setup().half_length - 0.18, 0.0} - ball;
+    } else if (ball.x < -setup().half_length + 0.06) {
       way = {0.3, ball.y < 0.0 ? -1.0 : 1.0};
     }
     return wheels_for(0.0, cross(to, way) > 0.0 ? 30.0 : -30.0);
@@ -240,39 +178,38 @@ class DrillTeam {
            mirocup_hypot(ball.x, ball.y) < 0.055;
   }
   Wheels kick_off(const Robot& robot) const {
-    const double pace = length(at(robot)) > 0.1 ? 0.8 : 0.28;  // m/s
-    return drive_to(robot, -0.1 * unit(at(robot)), pace, pace);
+    const double pace = length(position(robot)) > 0.1 ? 0.8 : 0.28;  // m/s
+    return drive_to(robot, -0.1 * unit(position(robot)), pace, pace);
   }
 
-  const mirocup_setup& setup;
-  const mirocup_observation* now = nullptr;
+  const Observation* now = nullptr;
   Point ball;      // m
   Point velocity;  // of the ball, m/s
 
  private:
   // Keeps the goal: stays in its mouth, where the ball will come, and clears a slow ball.
   Wheels keep_goal(const Robot& robot) const {
-    const double line = -setup.half_length + 0.03;
-    const Point here = at(robot);
+    const double line = -setup().half_length + 0.03;
+    const Point here = position(robot);
     const Point away = ball - here;
     const double outwards = ball.y < 0.0 ? -1.0 : 1.0;
     const bool is_in_reach = ball.x > here.x + 0.02 && length(away) < 0.16 &&
-                             ball.x < -setup.half_length + setup.goal_area_depth + 0.02;
+                             ball.x < -setup().half_length + setup().goal_area_depth + 0.02;
     const bool is_outer = away.x > 0.045 || outwards * away.y > -0.02;
     if (length(velocity) < 0.4 && is_in_reach && is_outer) {
       return drive_to(robot, ball + 0.2 * unit(away), 1.0);
     }
-    const double face = line + setup.robot_side / 2.0 + setup.ball_radius;
-    const double left = length(ball - Point{-setup.half_length, setup.goal_half_width});
-    const double right = length(ball - Point{-setup.half_length, -setup.goal_half_width});
-    double y = setup.goal_half_width * (right - left) / (right + left);
+    const double face = line + setup().robot_side / 2.0 + setup().ball_radius;
+    const double left = length(ball - Point{-setup().half_length, setup().goal_half_width});
+    const double right = length(ball - Point{-setup().half_length, -setup().goal_half_width});
+    double y = setup().goal_half_width * (right - left) / (right + left);
     if (velocity.x < -0.1) {
       const double seconds = (face - ball.x) / velocity.x;
       if (seconds > 0.0 && seconds < 1.5) y = ball.y + velocity.y * seconds;
     }
-    const double reach = setup.goal_half_width - 0.0385;
+    const double reach = setup().goal_half_width - 0.0385;
     const Point post{line, std::clamp(y, -reach, reach)};
-    if (std::abs(post.x - here.x) < 0.04 && std::abs(here.y) < setup.goal_half_width + 0.05) {
+    if (std::abs(post.x - here.x) < 0.04 && std::abs(here.y) < setup().goal_half_width + 0.05) {
       return slide_to(robot, post.y, 1.8);
     }
     return drive_round(robot, post, ball, 0.0, 1.5);
@@ -281,7 +218,7 @@ class DrillTeam {
   Wheels slide_to(const Robot& robot, double y, double fastest) const {
     const bool is_up = robot.heading > 0.0;
     const double error = wrapped((is_up ? pi / 2.0 : -pi / 2.0) - robot.heading);
-    const double rolls_on = robot.vy * (setup.control_period + setup.motor_time_constant);  // m
+    const double rolls_on = robot.vy * (setup().control_period + setup().motor_time_constant);  // m
     const double speed = std::clamp(12.0 * (y - robot.y - rolls_on), -fastest, fastest);
     const double forward = (is_up ? speed : -speed) * std::max(0.0, mirocup_cos(2.0 * error));
     return wheels_for(forward, 9.0 * error);
@@ -289,7 +226,7 @@ class DrillTeam {
 
   // Returns `wheels`, slower if the robot would push an opponent without playing the ball.
   Wheels without_pushing(const Robot& robot, Wheels wheels) const {
-    const Point here = at(robot);
+    const Point here = position(robot);
     const double forward = forward_of(wheels);
     const Point direction = (forward < 0.0 ? -1.0 : 1.0) * nose(robot);
     const Point to_ball = ball - here;
@@ -298,7 +235,7 @@ class DrillTeam {
         dot(to_ball, direction) > 0.0 && std::abs(cross(to_ball, direction)) < 0.055;
     double allowed = std::abs(forward);
     for (int j = 0; j < now->robots; ++j) {
-      const Point to = at(now->opponent[j]) - here;
+      const Point to = position(now->opponent[j]) - here;
       if (dot(to, direction) <= 0.0 || std::abs(cross(to, direction)) > 0.09) continue;
       const double nearer = is_stuck(1.0) && length(to_ball) < 0.2 ? 0.04 : 0.0;
       if (ball_ahead && dot(to_ball, direction) < dot(to, direction) + nearer) continue;
@@ -311,9 +248,9 @@ class DrillTeam {
 
   // Returns `wheels` or, in and near the own goal area, speeds for the shortest way out.
   Wheels out_of_area(const Robot& robot, Wheels wheels) const {
-    const double arc = std::abs(robot.y) < setup.goal_area_half_width / 2.0 ? 0.05 : 0.0;
-    const double front = -setup.half_length + setup.goal_area_depth + arc + 0.04;
-    const double side = setup.goal_area_half_width + 0.04;
+    const double arc = std::abs(robot.y) < setup().goal_area_half_width / 2.0 ? 0.05 : 0.0;
+    const double front = -setup().half_length + setup().goal_area_depth + arc + 0.04;
+    const double side = setup().goal_area_half_width + 0.04;
     const double soon_x = robot.x + 0.1 * robot.vx;
     const double soon_y = robot.y + 0.1 * robot.vy;
     if (soon_x > front || std::abs(soon_y) > side) return wheels;
@@ -324,14 +261,14 @@ class DrillTeam {
 
   bool rolls_into_own_goal(Point from, Point rolling, double margin) const {
     if (rolling.x > -0.05) return false;
-    const double seconds = (-setup.half_length - from.x) / rolling.x;
-    return std::abs(from.y + seconds * rolling.y) < setup.goal_half_width + margin;
+    const double seconds = (-setup().half_length - from.x) / rolling.x;
+    return std::abs(from.y + seconds * rolling.y) < setup().goal_half_width + margin;
   }
 
   bool would_turn_ball_in(const Robot& robot) const {
     const Point coming = velocity - Point{robot.vx, robot.vy};
     const Point along = unit(coming);
-    const Point to = at(robot) - ball;
+    const Point to = position(robot) - ball;
     const double ahead = dot(to, along);
     if (ahead < 0.0 || ahead > 0.4 * length(coming) + 0.06) return false;
     if (std::abs(cross(along, to)) > 0.08) return false;
@@ -341,13 +278,13 @@ class DrillTeam {
       const double closing = -dot(coming, normal);
       if (closing < 0.2 * length(coming)) continue;
       const Point off = velocity + (1.4 * closing) * normal;
-      if (rolls_into_own_goal(at(robot) + 0.06 * normal, off, 0.05)) return true;
+      if (rolls_into_own_goal(position(robot) + 0.06 * normal, off, 0.05)) return true;
     }
     return false;
   }
 
   // If the ball would rebound from a robot into the own goal, turns the robot square or moves it.
-  void avoid_own_goals(mirocup_command& command) const {
+  void avoid_own_goals(Command& command) const {
     if (ball.x > 0.0 || length(velocity) < 0.25) return;
     if (rolls_into_own_goal(ball, velocity, -0.02)) return;
     for (int i = 1; i < now->robots; ++i) {
@@ -355,37 +292,17 @@ class DrillTeam {
       if (!would_turn_ball_in(robot)) continue;
       const double error = squared(robot.heading) - robot.heading;
       if (std::abs(error) > 0.15) {
-        const double turns_on = robot.turn * (setup.control_period + setup.motor_time_constant);
+        const double turns_on = robot.turn * (setup().control_period + setup().motor_time_constant);
         command.wheels[i] = wheels_for(0.0, 16.0 * (error - turns_on));
       } else {
         const Point along = unit(velocity);
-        const Point to = at(robot) - ball;
+        const Point to = position(robot) - ball;
         const Point aside = unit(to - dot(to, along) * along);
         const double way = dot(nose(robot), aside + 0.7 * along) < 0.0 ? -1.0 : 1.0;
         command.wheels[i] = wheels_for(way * 1.5, 9.0 * error);
       }
     }
   }
-
-  std::uint64_t state_;  // state of the random numbers
 };
 
 }  // namespace mirocup::drill_teams
-
-// Exports a class as the team of the library.
-#define MIROCUP_EXPORT_DRILL_TEAM(Class, Name)                                      \
-  extern "C" MIROCUP_PUBLIC const mirocup_strategy* mirocup_entry(void) {           \
-    static const mirocup_strategy entry = {                                         \
-        MIROCUP_ABI_VERSION,                                                        \
-        sizeof(mirocup_strategy),                                                   \
-        Name,                                                                       \
-        [](const mirocup_setup* setup) -> void* { return new Class(*setup); },      \
-        [](void* t, const mirocup_observation* now, mirocup_command* command) {     \
-          static_cast<Class*>(t)->decide(*now, *command);                           \
-        },                                                                          \
-        [](void* t) { delete static_cast<Class*>(t); },                             \
-        [](void* t, const mirocup_observation* now, mirocup_placement* placement) { \
-          static_cast<Class*>(t)->place(*now, *placement);                          \
-        }};                                                                         \
-    return &entry;                                                                  \
-  }

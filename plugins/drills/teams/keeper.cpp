@@ -14,9 +14,9 @@ class Keeper : public DrillTeam {
 
  private:
   Wheels steer(int i, const Robot& robot) override {
-    const Point goal{-setup.half_length, 0.0};
+    const Point goal{-setup().half_length, 0.0};
     const Point out = unit(ball - goal);
-    const bool is_near = length(ball - at(robot)) < 0.25 && ball.x < 0.0;
+    const bool is_near = length(ball - position(robot)) < 0.25 && ball.x < 0.0;
     if (i == 1 && must_kick_off()) return kick_off(robot);
     if (i == 1 && is_near && robot.x < ball.x) {
       return drive_to(robot, keep_out(ball + 0.1 * out), 1.0);
@@ -30,9 +30,10 @@ class Keeper : public DrillTeam {
     return drive_clear(robot, make_way(keep_out({post.x, post.y + aside})));
   }
 
-  double distance_ = 0.22 + 0.08 * random();  // m, from the goal to the screen in this leg
+  double distance_ =
+      0.22 + 0.08 * random().uniform();  // m, from the goal to the screen in this leg
 };
 
 }  // namespace
 
-MIROCUP_EXPORT_DRILL_TEAM(Keeper, "drill:keeper")
+MIROCUP_EXPORT_TEAM(Keeper, "drill:keeper")
