@@ -54,16 +54,16 @@ Result<Json> films_of(const record::MatchRecord& record, const Cast& cast, const
 }  // namespace
 
 Result<std::string> page_of(const record::MatchRecord& record, const Cast& cast,
-                            const std::vector<PageGoal>& goals, const std::string& about) {
+                            const std::vector<GoalStudy>& goals,
+                            const std::vector<std::string>& texts, const std::string& about) {
   constexpr std::array<std::string_view, 5> modules{"text.js", "track.js", "field.js", "player.js",
                                                     "coach.js"};
   Json data = Json::array();
   Json shown = Json::array();
-  for (const PageGoal& goal : goals) {
-    MIROCUP_TRY(data.emplace_back(), films_of(record, cast, goal.study));
-    const auto& found = goal.study.prevention;
-    shown.push_back({{"text", goal.text}, {"other", nullptr}});
-    if (found)
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    MIROCUP_TRY(data.emplace_back(), films_of(record, cast, goals[i]));
+    shown.push_back({{"text", texts[i]}, {"other", nullptr}});
+    if (const auto& found = goals[i].prevention)
       shown.back()["other"] = "A substitute for robot " + std::to_string(found->robot) + " of " +
                               system::printable(record.teams[index_of(cast.team)].name);
   }

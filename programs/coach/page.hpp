@@ -10,14 +10,11 @@
 
 namespace mirocup::coach {
 
-struct PageGoal {
-  GoalStudy study;
-  std::string text;  // the answer in words
-};
-
 // Returns a page that needs nothing else. It plays one more future of each goal that could be
-// prevented. `about` stands at its end. Errors and preconditions: as for study_goals().
+// prevented. `texts` are the answers in words, one for each goal; `about` stands at the end. Errors
+// and preconditions: as for study_goals().
 Result<std::string> page_of(const record::MatchRecord& record, const Cast& cast,
-                            const std::vector<PageGoal>& goals, const std::string& about);
+                            const std::vector<GoalStudy>& goals,
+                            const std::vector<std::string>& texts, const std::string& about);
 
 }  // namespace mirocup::coach

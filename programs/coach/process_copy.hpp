@@ -9,20 +9,18 @@
 // not print. Use copies only in a process with one thread: a copy has no other.
 #pragma once
 
+#include <cerrno>
 #include <concepts>
+#include <csignal>
 #include <memory>
 #include <optional>
 #include <sys/mman.h>
-#include <sys/types.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <type_traits>
 #include <unistd.h>
 
 namespace mirocup::coach {
-
-// The parts of a Copy that do not depend on its answer. fork_copy() returns 0 in the copy, and a
-// negative number if there is no copy.
-pid_t fork_copy();
-bool ends_well(pid_t copy);  // waits for its end
 
 // A copy that runs a function, which returns a T. T is copied byte by byte, through memory that the
 // two processes share.
@@ -37,14 +35,22 @@ class Copy {
         mmap(nullptr, sizeof(T), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return;
     answer_.reset(static_cast<T*>(memory));
-    pid_ = fork_copy();
+    const pid_t original = getpid();
+    pid_ = fork();
     if (pid_ != 0) return;
+    // The original may have died before the kernel knew that its copy has to die with it.
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != original) _exit(1);
     new (memory) T(work());
     _exit(0);
   }
 
   // Waits for the answer; to be called once. Nothing if the copy could not start or has crashed.
-  std::optional<T> wait() { return ends_well(pid_) ? std::optional<T>(*answer_) : std::nullopt; }
+  std::optional<T> wait() {
+    int status = -1;
+    while (pid_ > 0 && waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status == 0 ? std::optional<T>(*answer_) : std::nullopt;
+  }
 
  private:
   struct Unmap {

@@ -69,8 +69,9 @@ void Rehearsal::follow(std::uint32_t tick) {
       if (!decides(team)) continue;
       const match::Answer answer = ask(*own_[i], observe(now, team, robots));
       const auto* command = std::get_if<match::Command>(&answer);
-      has_differed_[i] = command == nullptr || check(*command, robots, limit).command !=
-                                                   recording_.ticks[leg_.tick()].commands[i];
+      if (command == nullptr ||
+          check(*command, robots, limit).command != recording_.ticks[leg_.tick()].commands[i])
+        own_[i].reset();
     }
     advance(replay::recorded_answers(recording_, leg_.tick()));
   }
@@ -102,8 +103,7 @@ bool Rehearsal::is_without_goal(std::uint32_t goal, std::optional<int> robot, in
     for (const Team team : both_teams) {
       const int i = index_of(team);
       const match::Observation seen = observe(leg_.view(), team, leg_.field().robots_per_team);
-      if (decides(team) || !is_recorded)
-        answers[i] = ask(decides(team) ? *own_[i] : *stand_in_[i], seen);
+      if (decides(team) || !is_recorded) answers[i] = ask(own_[i] ? *own_[i] : *stand_in_[i], seen);
       if (robot && team == team_) substitute(*robot, in_goal, seen, answers[i]);
       if (!std::holds_alternative<match::Command>(answers[i])) return false;
     }

@@ -51,9 +51,7 @@ class Rehearsal {
 
   const match::Leg& leg() const { return leg_; }
   // True if the team decides in futures: it is at hand, and gave the recorded commands so far.
-  bool decides(Team team) const {
-    return own_[index_of(team)].has_value() && !has_differed_[index_of(team)];
-  }
+  bool decides(Team team) const { return own_[index_of(team)].has_value(); }
 
   // Follows the record up to the start of a tick, or to its end.
   void follow(std::uint32_t tick);
@@ -84,11 +82,10 @@ class Rehearsal {
   const replay::Recording& recording_;
   Team team_;
   match::Leg leg_;
-  match::ByTeam<std::optional<server::TeamSeat>> own_;
+  match::ByTeam<std::optional<server::TeamSeat>> own_;  // empty once a team has differed
   match::ByTeam<std::optional<server::TeamSeat>> stand_in_;
   std::optional<server::TeamSeat> substitute_;
   std::optional<server::TeamSeat> keeper_;
-  match::ByTeam<bool> has_differed_{};
   web::ColumnEncoder* film_ = nullptr;
 };
 

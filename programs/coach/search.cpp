@@ -18,20 +18,14 @@ constexpr int enough = 2944;
 
 }  // namespace
 
-void SequentialTest::add(bool is_without_goal) {
-  ++share_.futures;
-  share_.without += is_without_goal ? 1 : 0;
-}
-
-std::optional<bool> SequentialTest::answer() const {
-  const int without = share_.without;
-  const int with = share_.futures - without;
-  const int weight = question_ == Question::prevention ? likely * without - unlikely * with
-                                                       : unlikely * without - likely * with;
+std::optional<bool> answer_of(Question question, const Share& share) {
+  const int with = share.futures - share.without;
+  const int weight = question == Question::prevention ? likely * share.without - unlikely * with
+                                                      : unlikely * share.without - likely * with;
   if (weight >= enough) return true;
   if (weight <= -enough) return false;
-  if (share_.futures < most_futures) return std::nullopt;
-  return share_.value() >= limit_of(question_);
+  if (share.futures < most_futures) return std::nullopt;
+  return share.value() >= limit_of(question);
 }
 
 std::optional<std::uint32_t> last_yes(std::uint32_t first, std::uint32_t end, std::uint32_t stride,

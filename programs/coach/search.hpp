@@ -18,6 +18,10 @@ struct Share {
   int without = 0;  // those without the goal
   int futures = 0;
 
+  void add(bool is_without_goal) {
+    ++futures;
+    without += is_without_goal ? 1 : 0;
+  }
   double value() const { return futures > 0 ? static_cast<double>(without) / futures : 0.0; }
 };
 
@@ -28,23 +32,10 @@ constexpr double limit_of(Question question) {
   return question == Question::prevention ? 0.8 : 0.2;
 }
 
-// Wald's sequential test of a question. It tells a chance that is 0.1 above the limit from a chance
-// that is 0.1 below, and is wrong about either with a probability of at most 8 %. After 50 futures
-// the share decides.
-class SequentialTest {
- public:
-  explicit SequentialTest(Question question) : question_(question) {}
-
-  // Counts the next future.
-  void add(bool is_without_goal);
-  // The answer, once enough futures are counted.
-  std::optional<bool> answer() const;
-  const Share& share() const { return share_; }
-
- private:
-  Question question_;
-  Share share_;
-};
+// Wald's sequential test of a question: returns the answer, or nothing until enough futures are
+// counted. The test tells a chance that is 0.1 above the limit from a chance that is 0.1 below, and
+// is wrong about either with a probability of at most 8 %. After 50 futures the share decides.
+std::optional<bool> answer_of(Question question, const Share& share);
 
 // Returns the last tick from `first` on and before `end` for which `ask` says yes; nothing if there
 // is none. Goes back in steps of `stride` ticks from the end to a yes, halves the step between this

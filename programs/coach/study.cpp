@@ -14,6 +14,7 @@ namespace {
 
 constexpr double stride_s = 0.3;
 constexpr int counted_futures = 100;  // of a share that is told
+constexpr int most_goals = 20;        // of these, if the goal can be prevented
 constexpr int at_once = 3;            // futures; a clear test needs 3 or 12
 
 // Runs `work` in a copy and waits. Of a copy's copies: without their answer it has none either.
@@ -31,19 +32,14 @@ class GoalSearch {
   GoalSearch(Rehearsal& rehearsal, Team team, std::uint32_t goal)
       : rehearsal_(rehearsal),
         team_(team),
-        first_(rehearsal.leg().tick()),
         goal_(goal),
         ends_(static_cast<std::size_t>(rehearsal.leg().field().robots_per_team), goal) {}
 
   // A test may err about one of the many ticks that it is asked about: other futures confirm it.
-  std::optional<Prevention> last_prevention() {
-    while (const auto latest = latest_yes(Question::prevention, first_)) {
-      Prevention found = in_a_copy([&] { return with_facts(*latest); });
-      if (found.share.value() >= limit_of(Question::prevention)) {
-        found.as_played =
-            in_a_copy([&] { return count(found.tick, std::nullopt, counted_futures); });
-        return found;
-      }
+  std::optional<Prevention> last_prevention(std::uint32_t first) {
+    while (const auto latest = latest_yes(Question::prevention, first)) {
+      const Prevention found = in_a_copy([&] { return with_facts(*latest); });
+      if (is_confirmed(found)) return found;
       ends_[static_cast<std::size_t>(found.robot)] = found.tick;
     }
     return std::nullopt;
@@ -57,50 +53,45 @@ class GoalSearch {
   }
 
  private:
-  // Plays futures from a number on, some at once, until `counts` wants no more. It gets them in
-  // the order of their numbers.
-  template <class Counts>
-  void play_from(int number, std::optional<int> robot, Counts counts) {
-    for (bool goes_on = true; goes_on; number += at_once) {
+  // Plays futures of the present tick from a number on, some at once, and counts them in the order
+  // of their numbers until `is_enough` says so of their share.
+  template <class IsEnough>
+  Share count(int number, std::optional<int> robot, IsEnough is_enough) {
+    Share share;
+    for (; !is_enough(share); number += at_once) {
       std::vector<Copy<bool>> futures;
       for (int i = 0; i < at_once; ++i)
         futures.emplace_back([&] { return rehearsal_.is_without_goal(goal_, robot, number + i); });
       for (Copy<bool>& future : futures) {
         const auto is_without_goal = future.wait();
         if (!is_without_goal) _exit(1);
-        goes_on = goes_on && counts(*is_without_goal);
+        if (!is_enough(share)) share.add(*is_without_goal);
       }
     }
-  }
-
-  // These three run in a copy, which they bring to the tick.
-  bool test(std::uint32_t tick, int robot, Question question) {
-    rehearsal_.follow(tick);
-    SequentialTest test(question);
-    play_from(0, robot, [&](bool is_without_goal) {
-      test.add(is_without_goal);
-      return !test.answer();
-    });
-    return *test.answer();
-  }
-  // Stops early if more than `most_goals` futures have the goal.
-  Share count(std::uint32_t tick, std::optional<int> robot, int most_goals) {
-    rehearsal_.follow(tick);
-    Share share;
-    play_from(first_counted, robot, [&](bool is_without_goal) {
-      ++share.futures;
-      share.without += is_without_goal ? 1 : 0;
-      return share.futures < counted_futures && share.futures - share.without <= most_goals;
-    });
     return share;
   }
+
+  static bool is_confirmed(const Prevention& found) {
+    return found.share.value() >= limit_of(Question::prevention);
+  }
+
+  // These two run in a copy, which they bring to the tick.
+  bool test(std::uint32_t tick, int robot, Question question) {
+    rehearsal_.follow(tick);
+    const auto answer = [question](const Share& share) { return answer_of(question, share); };
+    return *answer(count(0, robot, answer));
+  }
   Prevention with_facts(Prevention found) {
-    const double most_goals = (1.0 - limit_of(Question::prevention)) * counted_futures;
-    found.share = count(found.tick, found.robot, static_cast<int>(most_goals + 0.5));
+    rehearsal_.follow(found.tick);
     const match::Leg& leg = rehearsal_.leg();
     const Vec2 ball = leg.ball().position;
     found.to_ball = (leg.robot(team_, found.robot).position - ball).norm();
     found.ball = team_frame(leg.end_of(team_), ball);
+    const auto are_all = [](const Share& share) { return share.futures == counted_futures; };
+    found.share = count(first_counted, found.robot, [&](const Share& share) {
+      return are_all(share) || share.futures - share.without > most_goals;
+    });
+    if (is_confirmed(found)) found.as_played = count(first_counted, std::nullopt, are_all);
     return found;
   }
 
@@ -130,7 +121,6 @@ class GoalSearch {
 
   Rehearsal& rehearsal_;
   Team team_;
-  std::uint32_t first_;
   std::uint32_t goal_;
   std::vector<std::uint32_t> ends_;  // for each robot, the tick before which moments are sought
   std::map<std::tuple<Question, int, std::uint32_t>, bool> answers_;  // of tests
@@ -166,7 +156,7 @@ Result<std::vector<GoalStudy>> study_goals(const record::MatchRecord& record, co
                     .hopeless = 0,
                     .decides = {rehearsal->decides(Team::blue), rehearsal->decides(Team::yellow)}};
     const auto found = Copy([&] {
-                         study.prevention = search.last_prevention();
+                         study.prevention = search.last_prevention(study.first);
                          study.hopeless = search.hopeless_from(
                              study.prevention ? study.prevention->tick + 1 : study.first);
                          return study;

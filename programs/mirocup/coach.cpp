@@ -6,6 +6,7 @@
 #include "record/wilson.hpp"
 #include "system/text.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace mirocup::app {
@@ -89,14 +90,36 @@ std::string text_of(const GoalStudy& study, double period) {
   return text + "; from " + before(study.hopeless) + ", nobody could\n";
 }
 
-record::Json json_of(const GoalStudy& study, double period) {
+// The kind of a goal: who could prevent it, how early, and where the ball was then.
+std::string habit_of(const GoalStudy& study, const match::Setup& setup) {
+  if (!study.prevention) return "no robot alone could prevent it";
+  const double seconds = (study.tick - study.prevention->tick) * setup.control_period;
+  const double third =
+      3.0 * study.prevention->ball.x() / field::make_field(setup.league).half_length;
+  return formatted("robot %d could prevent it until %s s before, with the ball in the %s third",
+                   study.prevention->robot,
+                   seconds < 0.5   ? "less than 0.5"
+                   : seconds < 1.5 ? "0.5 to 1.5"
+                                   : "more than 1.5",
+                   third < -1.0  ? "own"
+                   : third > 1.0 ? "opponents'"
+                                 : "middle");
+}
+
+record::Json json_of(const GoalStudy& study, const match::Setup& setup, const std::string& path) {
   const auto moment = [&](std::uint32_t tick) {
-    return record::Json{{"tick", tick}, {"seconds_before", (study.tick - tick) * period}};
+    return record::Json{{"tick", tick},
+                        {"seconds_before", (study.tick - tick) * setup.control_period}};
   };
-  record::Json json{{"number", study.number},         {"tick", study.tick},
-                    {"clock", in_words(study.clock)}, {"first", moment(study.first)},
-                    {"prevention", nullptr},          {"hopeless", moment(study.hopeless)}};
-  json["decides"] = {{"blue", study.decides[0]}, {"yellow", study.decides[1]}};
+  record::Json json{{"number", study.number},
+                    {"tick", study.tick},
+                    {"clock", in_words(study.clock)},
+                    {"first", moment(study.first)},
+                    {"prevention", nullptr},
+                    {"hopeless", moment(study.hopeless)},
+                    {"decides", {{"blue", study.decides[0]}, {"yellow", study.decides[1]}}},
+                    {"record", path},
+                    {"habit", habit_of(study, setup)}};
   if (const auto& found = study.prevention) {
     const auto interval = record::wilson_interval(found->share.value(), found->share.futures);
     json["prevention"] = moment(found->tick);
@@ -126,32 +149,19 @@ std::string text_of_others(const record::MatchRecord& record, const std::vector<
   return text;
 }
 
-// For each kind of goal, its goals: "leg.json goal 2".
+// For each habit its goals: "leg.json goal 2".
 using Habits = std::map<std::string, std::vector<std::string>>;
 
-std::string habit_of(const GoalStudy& study, const match::Setup& setup) {
-  if (!study.prevention) return "no robot alone could prevent it";
-  const double seconds = (study.tick - study.prevention->tick) * setup.control_period;
-  const double third = study.prevention->ball.x() / field::make_field(setup.league).half_length;
-  return formatted("robot %d could prevent it until %s s before, with the ball in the %s third",
-                   study.prevention->robot,
-                   seconds < 0.5   ? "less than 0.5"
-                   : seconds < 1.5 ? "0.5 to 1.5"
-                                   : "more than 1.5",
-                   3.0 * third < -1.0  ? "own"
-                   : 3.0 * third > 1.0 ? "opponents'"
-                                       : "middle");
-}
-
 // Prints the three most frequent habits.
-void print_habits(const Habits& habits, std::size_t goals) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> all(habits.begin(), habits.end());
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
-  all.erase(all.begin() + std::min<std::ptrdiff_t>(habits.size(), 3), all.end());
-  for (const auto& [what, of_it] : all)
-    std::cout << of_it.size() << " of " << goals << " goals: " << what << ": "
-              << system::joined(of_it, ", ") << '\n';
+void print_habits(Habits habits, std::size_t goals) {
+  for (int i = 0; i < 3 && !habits.empty(); ++i) {
+    const auto most = std::max_element(
+        habits.begin(), habits.end(),
+        [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+    std::cout << most->second.size() << " of " << goals << " goals: " << most->first << ": "
+              << system::joined(most->second, ", ") << '\n';
+    habits.erase(most);
+  }
 }
 
 Result<int> run_coach(const CoachOptions& options) {
@@ -174,21 +184,18 @@ Result<int> run_coach(const CoachOptions& options) {
           formatted("--goal %d: the team conceded %zu goals in ", *options.goal, conceded) + path);
     MIROCUP_TRY(const auto goals, coach::study_goals(record, cast, options.goal));
     const match::Setup& setup = record.recording.setup;
-    std::vector<coach::PageGoal> shown;
+    std::vector<std::string> texts;
     for (const GoalStudy& goal : goals) {
-      shown.push_back({goal, text_of(goal, setup.control_period)});
-      json["goals"].push_back(json_of(goal, setup.control_period));
-      json["goals"].back()["record"] = path;
-      const std::string what = habit_of(goal, setup);
-      json["goals"].back()["habit"] = what;
-      habits[what].push_back(path + formatted(" goal %d", goal.number) +
-                             link_of(goal, setup.control_period));
-      if (!options.all && !options.json) std::cout << shown.back().text;
+      texts.push_back(text_of(goal, setup.control_period));
+      json["goals"].push_back(json_of(goal, setup, path));
+      habits[habit_of(goal, setup)].push_back(path + formatted(" goal %d", goal.number) +
+                                              link_of(goal, setup.control_period));
     }
     const std::string others = text_of_others(record, goals);
-    if (!options.all && !options.json && !goals.empty()) std::cout << others;
+    if (!options.all && !options.json && !goals.empty())
+      std::cout << system::joined(texts, "") << others;
     if (options.page.empty()) continue;
-    MIROCUP_TRY(const auto page, coach::page_of(record, cast, shown, others));
+    MIROCUP_TRY(const auto page, coach::page_of(record, cast, goals, texts, others));
     MIROCUP_TRY_VOID(disk.write(options.page, page));
   }
   if (options.json)

@@ -38,10 +38,10 @@ double yes_share(Question question, double chance, int& futures) {
   Random random(7);
   int yes = 0;
   for (int i = 0; i < tests; ++i) {
-    SequentialTest test(question);
-    while (!test.answer()) test.add(random.uniform() < chance);
-    yes += *test.answer() ? 1 : 0;
-    futures = std::max(futures, test.share().futures);
+    Share share;
+    while (!answer_of(question, share)) share.add(random.uniform() < chance);
+    yes += *answer_of(question, share) ? 1 : 0;
+    futures = std::max(futures, share.futures);
   }
   return static_cast<double>(yes) / tests;
 }
