@@ -11,11 +11,13 @@
 //
 // With this list, fields_json(one) makes the object, and read_fields<Try>(json) reads it like
 // JsonReader: it never throws, and reports the first problem. A value is a number, a bool, a text,
-// an enum with names, a struct with list_fields, or an optional or a vector of these. Numbers after
-// a value are its least and greatest value, or the least and greatest size of a vector. list_fields
-// must be in the namespace of its struct or in mirocup::record, not in an unnamed namespace.
+// an enum with names, a point [x, y], a list of robots, a struct with list_fields, or an optional,
+// a vector or a ByTeam of these ({"blue", "yellow"}). Numbers after a value are its least and
+// greatest value, or the least and greatest size of a vector. list_fields must be in the namespace
+// of its struct or in mirocup::record, not in an unnamed namespace.
 #pragma once
 
+#include "core/match/snapshot.hpp"
 #include "record/json_reader.hpp"
 
 #include <type_traits>
@@ -30,6 +32,10 @@ template <class T>
 struct IsVector : std::false_type {};
 template <class T>
 struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsByTeam : std::false_type {};
+template <class T>
+struct IsByTeam<match::ByTeam<T>> : std::true_type {};
 
 template <class T>
 JsonReader::Json fields_json(const T& value);
@@ -56,6 +62,10 @@ class FieldWriter {
   void as(const char* key, auto write, auto) { object_[key] = write(); }
   void as_if_set(bool is_set, const char* key, auto write, auto) {
     if (is_set) object_[key] = write();
+  }
+  // The keys of a struct among those of the object; a file without `key` has none of them.
+  void merged(const char*, const auto& part) {
+    if (part) object_.update(fields_json(*part));
   }
   // A key for people, which is written and not read, because its value follows from other keys.
   void only_written(const char* key, Json value) { object_[key] = std::move(value); }
@@ -85,6 +95,9 @@ class FieldReader {
   void as_if_set(bool, const char* key, auto, auto read) {
     if (json_.has(key)) read(json_.at(key));
   }
+  void merged(const char* key, auto& part) {
+    if (json_.has(key)) read(json_, part.emplace());
+  }
   void only_written(const char*, const JsonReader::Json&) {}
 
   template <class T, class... Limits>
@@ -95,6 +108,14 @@ class FieldReader {
     } else if constexpr (IsVector<T>::value) {
       for (const JsonReader& element : json.elements(static_cast<std::size_t>(limits)...))
         read(element, value.emplace_back());
+    } else if constexpr (IsByTeam<T>::value) {
+      for (const Team team : both_teams)
+        read(json.at(std::string(to_string(team))), value[index_of(team)], limits...);
+    } else if constexpr (std::is_same_v<T, referee::RobotSet>) {
+      for (const JsonReader& robot : json.elements())
+        value.set(robot.integer<std::size_t>(0, value.size() - 1));
+    } else if constexpr (std::is_same_v<T, Vec2>) {
+      value = {json.at(0).number(), json.at(1).number()};
     } else if constexpr (std::is_floating_point_v<T>) {
       value = json.number(limits...);
     } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
@@ -119,6 +140,15 @@ JsonReader::Json fields_json(const T& value) {
     auto list = JsonReader::Json::array();
     for (const auto& element : value) list.push_back(fields_json(element));
     return list;
+  } else if constexpr (IsByTeam<T>::value) {
+    return {{"blue", fields_json(value[0])}, {"yellow", fields_json(value[1])}};
+  } else if constexpr (std::is_same_v<T, referee::RobotSet>) {
+    auto list = JsonReader::Json::array();
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (value[i]) list.push_back(i);
+    return list;
+  } else if constexpr (std::is_same_v<T, Vec2>) {
+    return JsonReader::Json::array({value.x(), value.y()});
   } else if constexpr (std::is_enum_v<T>) {
     return to_string(value);
   } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {

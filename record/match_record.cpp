@@ -3,14 +3,13 @@
 
 #include "record/conditions_json.hpp"
 #include "record/json_fields.hpp"
+#include "record/leg_fields.hpp"
 #include "record/pitch_json.hpp"
 #include "record/replay_file.hpp"
 #include "record/rules_json.hpp"
 #include "record/situation_json.hpp"
 #include "record/team_parameters_json.hpp"
-#include "record/touch_fields.hpp"
 #include "system/digest.hpp"
-#include "system/number_of.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -36,31 +35,6 @@ static_assert(has_names_up_to(referee::Law::forfeit, "forfeit"));
 static_assert(has_names_up_to(referee::Restart::FREE_KICK, "FREE_KICK"));
 static_assert(has_names_up_to(match::FaultCode::disconnected, "disconnected"));
 
-Json score_json(const match::ByTeam<int>& score) {
-  return {{"blue", score[0]}, {"yellow", score[1]}};
-}
-
-Json robots_json(const match::ByTeam<referee::RobotSet>& robots) {
-  Json json = Json::object();
-  for (const Team team : both_teams) {
-    Json& list = json[std::string(to_string(team))] = Json::array();
-    for (int i = 0; i < max_robots_per_team; ++i) {
-      if (robots[index_of(team)][i]) list.push_back(i);
-    }
-  }
-  return json;
-}
-
-match::ByTeam<int> read_score(const JsonReader& json) {
-  return {json.at("blue").as<int>(), json.at("yellow").as<int>()};
-}
-
-void list_score(auto& f, const char* key, match::ByTeam<int>& score) {
-  f.as(
-      key, [&] { return score_json(score); },
-      [&](const JsonReader& json) { score = read_score(json); });
-}
-
 }  // namespace
 
 static void list_fields(auto& f, match::TeamFault& fault) {
@@ -70,13 +44,9 @@ static void list_fields(auto& f, match::TeamFault& fault) {
 }
 
 static void list_fields(auto& f, match::Outcome& result) {
-  list_score(f, "score", result.score);
-  list_score(f, "played", result.played);
-  f.as(
-      "shoot_out", [&] { return result.shoot_out ? score_json(*result.shoot_out) : Json(); },
-      [&](const JsonReader& json) {
-        if (!json.is_null()) result.shoot_out = read_score(json);
-      });
+  f("score", result.score);
+  f("played", result.played);
+  f("shoot_out", result.shoot_out);
   f("winner", result.winner);
   f("end", result.kind);
   f.only_written("fault", result.faults.empty() ? Json() : fields_json(result.faults.front()));
@@ -97,23 +67,32 @@ Json to_json(const match::Outcome& result) {
   return fields_json(result);
 }
 
-Json to_json(const match::LoggedDecision& d) {
-  const bool restarts = d.decision.restart != referee::Restart::none;
-  Json json{{"tick", d.tick},
-            {"clock", d.decision.clock},
-            {"law", to_string(d.decision.law)},
-            {"decision", to_string(d.decision.verdict)},
-            {"team", fields_json(d.team)},
-            {"robots", robots_json(d.robots)},
-            {"reason", d.decision.reason},
-            {"ball", {d.decision.ball.x(), d.decision.ball.y()}},
-            {"restart", restarts ? Json(to_string(d.decision.restart)) : Json()},
-            {"taker", restarts ? Json(to_string(d.taker)) : Json()},
-            {"gainer", fields_json(d.parties.gainer)},
-            {"offender", fields_json(d.parties.offender)}};
-  if (d.credit) json.update(fields_json(*d.credit));
-  if (d.score) json["score"] = score_json(*d.score);
-  return json;
+static void list_fields(auto& f, match::LoggedDecision& d) {
+  using referee::Restart;
+  f("tick", d.tick);
+  f("clock", d.decision.clock);
+  f("law", d.decision.law);
+  f("decision", d.decision.verdict);
+  f("team", d.team);
+  f("robots", d.robots);
+  f("reason", d.decision.reason);
+  f("ball", d.decision.ball);
+  const bool restarts = d.decision.restart != Restart::none;
+  auto restart = restarts ? std::optional(d.decision.restart) : std::nullopt;
+  f("restart", restart);
+  d.decision.restart = restart.value_or(Restart::none);
+  if (restart)
+    f("taker", d.taker);
+  else
+    f.only_written("taker", Json());
+  f("gainer", d.parties.gainer);
+  f("offender", d.parties.offender);
+  f.merged("kind", d.credit);
+  f.if_set("score", d.score);
+}
+
+Json to_json(const match::LoggedDecision& decision) {
+  return fields_json(decision);
 }
 
 static void list_fields(auto& f, TeamInfo& team) {
@@ -147,109 +126,118 @@ Json durations_json(const Durations& durations) {
           {"histogram", histogram}};
 }
 
-Json pace_json(const std::optional<PaceReport>& report) {
-  if (!report) return {};
-  return {{"period", report->period}, {"lateness", durations_json(report->lateness)}};
+}  // namespace
+
+// The reports of network and pace are written and not read.
+static void list_fields(auto& f, Absence& absence) {
+  f("tick", absence.tick);
+  f("noticed", absence.noticed);
+  f("back", absence.back);
+  f.only_written("why", absence.has_left ? "left" : "silent");
 }
 
-Json network_json(const std::optional<NetworkReport>& report) {
-  if (!report) return {};
-  Json absences = Json::array();
-  for (const Absence& a : report->absences) {
-    absences.push_back({{"tick", a.tick},
-                        {"noticed", a.noticed},
-                        {"back", a.back ? Json(*a.back) : Json()},
-                        {"why", a.has_left ? "left" : "silent"}});
-  }
-  Json json = {{"in_step", report->in_step},
-               {"late", report->late},
-               {"late_driven", report->late_driven},
-               {"duplicate", report->duplicate},
-               {"ahead", report->ahead},
-               {"foreign", report->foreign},
-               {"processes", report->processes},
-               {"absences", absences},
-               {"answers", durations_json(report->answers)}};
-  if (const auto& datagrams = report->datagrams) {
-    json["datagrams"] = {{"received", datagrams->received},
-                         {"placements", datagrams->placements},
-                         {"stale", datagrams->stale},
-                         {"malformed", datagrams->malformed},
-                         {"replacements", datagrams->replacements},
-                         {"not_finite", datagrams->not_finite},
-                         {"unknown_robots", datagrams->unknown_robots}};
-  }
-  return json;
+static void list_fields(auto& f, DatagramCounts& datagrams) {
+  f("received", datagrams.received);
+  f("placements", datagrams.placements);
+  f("stale", datagrams.stale);
+  f("malformed", datagrams.malformed);
+  f("replacements", datagrams.replacements);
+  f("not_finite", datagrams.not_finite);
+  f("unknown_robots", datagrams.unknown_robots);
 }
 
-Json network_json(const match::ByTeam<std::optional<NetworkReport>>& reports) {
-  return {{"blue", network_json(reports[0])}, {"yellow", network_json(reports[1])}};
+static void list_fields(auto& f, NetworkReport& report) {
+  f("in_step", report.in_step);
+  f("late", report.late);
+  f("late_driven", report.late_driven);
+  f("duplicate", report.duplicate);
+  f("ahead", report.ahead);
+  f("foreign", report.foreign);
+  f("processes", report.processes);
+  f("absences", report.absences);
+  f.only_written("answers", durations_json(report.answers));
+  f.if_set("datagrams", report.datagrams);
 }
 
-match::LoggedDecision read_decision(const JsonReader& json) {
-  match::LoggedDecision d;
-  d.tick = json.at("tick").as<std::uint32_t>();
-  d.decision.clock = json.at("clock").number();
-  d.decision.law = json.at("law").name<referee::Law>();
-  d.decision.verdict = json.at("decision").name<referee::Verdict>();
-  d.team = read_fields<std::optional<Team>>(json.at("team"));
-  for (const Team team : both_teams) {
-    for (const JsonReader& robot : json.at("robots").at(std::string(to_string(team))).elements()) {
-      d.robots[index_of(team)].set(
-          static_cast<std::size_t>(robot.integer<int>(0, max_robots_per_team - 1)));
-    }
-  }
-  d.decision.reason = json.at("reason").text();
-  d.decision.ball = {json.at("ball").at(0).number(), json.at("ball").at(1).number()};
-  if (const JsonReader restart = json.at("restart"); !restart.is_null()) {
-    d.decision.restart = restart.name<referee::Restart>();
-    d.taker = json.at("taker").name<Team>();
-  }
-  if (json.has("kind")) d.credit = read_fields<match::GoalCredit>(json);
-  if (json.has("score")) d.score = read_score(json.at("score"));
-  d.parties.gainer = read_fields<std::optional<Team>>(json.at("gainer"));
-  d.parties.offender = read_fields<std::optional<Team>>(json.at("offender"));
-  return d;
+static void list_fields(auto& f, PaceReport& report) {
+  f("period", report.period);
+  f.only_written("lateness", durations_json(report.lateness));
 }
 
-match::Setup read_setup(const JsonReader& json) {
-  match::Setup setup;
-  setup.league = json.at("league").name<RobotLeague>();
-  const JsonReader rules = json.at("rules");
-  setup.rules = read_rules(rules, setup.league);
-  for (const auto& [key, seconds] :
-       {std::pair{"half_s", setup.rules.half_s}, std::pair{"ready_s", setup.rules.ready_s}}) {
-    if (!(seconds <= max_half_s)) rules.at(key).complain("it is more than 36000 s");
-  }
-  setup.stage = json.at("stage").name<referee::Stage>();
-  setup.seed = json.at("seed").as<std::uint64_t>();
-  setup.control_period = json.at("control_period").number(min_control_period, max_control_period);
-  setup.conditions = read_conditions(json.at("conditions"));
-  const match::PitchSpec pitch = read_pitch(json.at("pitch"));
-  setup.pitch_name = pitch.name;
-  setup.parameters = pitch.parameters;
-  if (const auto given = json.find("situation")) {
-    const Situation situation = read_situation(*given);
-    if (situation.league != setup.league)
-      given->at("league").complain("the situation must be of the leg's league");
-    setup.start = situation.start;
-  }
-  return setup;
+static void list_fields(auto& f, Software& software) {
+  f("version", software.version);
+  f("build", software.build);
+  f("game", software.behaviour_hash);
 }
 
-std::uint64_t read_hash(const JsonReader& json) {
-  const std::string digits = json.text();
-  const auto hash = system::hexadecimal_of<std::uint64_t>(digits);
-  if (!hash || digits.size() != 16)
-    json.complain("16 hexadecimal digits are expected, not " + json.quoted());
-  return hash.value_or(0);
+static void list_fields(auto& f, PlayedOnFrom& from) {
+  f("tick", from.tick);
+  list_hash(f, "state_hash", from.state_hash);
+  f("blue", from.teams[0]);
+  f("yellow", from.teams[1]);
 }
 
-PlayedOnFrom read_from(const JsonReader& json) {
-  return {.tick = json.at("tick").as<std::uint32_t>(),
-          .state_hash = read_hash(json.at("state_hash")),
-          .teams = {json.at("blue").text(), json.at("yellow").text()}};
+static void list_fields(auto& f, match::Setup& setup) {
+  f("league", setup.league);
+  f.as(
+      "rules", [&] { return to_json(setup.rules); },
+      [&](const JsonReader& json) {
+        setup.rules = read_rules(json, setup.league);
+        for (const auto& [key, seconds] :
+             {std::pair{"half_s", setup.rules.half_s}, std::pair{"ready_s", setup.rules.ready_s}}) {
+          if (!(seconds <= max_half_s)) json.at(key).complain("it is more than 36000 s");
+        }
+      });
+  f("stage", setup.stage);
+  f("seed", setup.seed);
+  f("control_period", setup.control_period, min_control_period, max_control_period);
+  f.as(
+      "conditions", [&] { return to_json(setup.conditions); },
+      [&](const JsonReader& json) { setup.conditions = read_conditions(json); });
+  f.as(
+      "pitch",
+      [&] {
+        match::PitchSpec pitch;
+        pitch.name = setup.pitch_name;
+        pitch.parameters = setup.parameters;
+        return to_json(pitch);
+      },
+      [&](const JsonReader& json) {
+        const match::PitchSpec pitch = read_pitch(json);
+        setup.pitch_name = pitch.name;
+        setup.parameters = pitch.parameters;
+      });
+  f.as_if_set(
+      setup.start.has_value(), "situation",
+      [&] {
+        return to_json(Situation{setup.league, *setup.start});
+      },
+      [&](const JsonReader& json) {
+        const Situation situation = read_situation(json);
+        if (situation.league != setup.league)
+          json.at("league").complain("the situation must be of the leg's league");
+        setup.start = situation.start;
+      });
 }
+
+static void list_fields(auto& f, RecordFile& file) {
+  MatchRecord& record = file.record;
+  f.only_written("schema", schema);
+  f("software", record.software);
+  list_fields(f, record.recording.setup);
+  f.if_set("from", record.from);
+  f("teams", record.teams);
+  f("result", record.recording.outcome);
+  f("decisions", record.recording.decisions);
+  f("budget", record.budget);
+  f.only_written("network", fields_json(record.network));
+  f.only_written("pace", fields_json(record.pace));
+  f("isolation", record.isolation);
+  f("ticks", file.ticks);
+  list_hash(f, "state_hash", record.recording.state_hash);
+}
+
+namespace {
 
 // The file of that name in the folder of `path`; a name with a folder of its own loses it.
 std::string beside(const std::string& path, const std::string& name) {
@@ -258,30 +246,10 @@ std::string beside(const std::string& path, const std::string& name) {
 }
 
 RecordFile read_record_file(const JsonReader& json) {
-  RecordFile file;
   json.expect_schema(schema);
-  MatchRecord& record = file.record;
-  const JsonReader software = json.at("software");
-  record.software.version = software.at("version").text();
-  record.software.build = software.at("build").text();
-  record.software.behaviour_hash = software.at("game").text();
-  for (const Team team : both_teams) {
-    const std::string colour(to_string(team));
-    record.teams[index_of(team)] = read_fields<TeamInfo>(json.at("teams").at(colour));
-    record.budget[index_of(team)] = read_fields<BudgetReport>(json.at("budget").at(colour));
-  }
-  record.isolation = json.at("isolation").text();
-  record.recording.setup = read_setup(json);
-  if (const auto from = json.find("from")) record.from = read_from(*from);
-  record.recording.outcome = read_fields<match::Outcome>(json.at("result"));
-  for (const JsonReader& decision : json.at("decisions").elements()) {
-    record.recording.decisions.push_back(read_decision(decision));
-  }
-  record.recording.state_hash = read_hash(json.at("state_hash"));
-  file.ticks = json.at("ticks").as<std::size_t>();
-  if (record.from && record.from->tick > file.ticks) {
+  auto file = read_fields<RecordFile>(json);
+  if (file.record.from && file.record.from->tick > file.ticks)
     json.at("from").at("tick").complain("the leg does not have so many ticks");
-  }
   file.replay_name = json.at("replay").at("file").text();
   file.replay_sha256 = json.at("replay").at("sha256").text();
   return file;
@@ -342,44 +310,10 @@ std::string replay_path_of(const std::string& record_path) {
 }
 
 Json to_json(const MatchRecord& record) {
-  const replay::Recording& r = record.recording;
-  Json decisions = Json::array();
-  for (const match::LoggedDecision& d : r.decisions) decisions.push_back(to_json(d));
-  Json json{{"schema", schema},
-            {"software",
-             {{"version", record.software.version},
-              {"build", record.software.build},
-              {"game", record.software.behaviour_hash}}},
-            {"league", to_string(r.setup.league)},
-            {"rules", to_json(r.setup.rules)},
-            {"stage", to_string(r.setup.stage)},
-            {"seed", r.setup.seed},
-            {"control_period", r.setup.control_period},
-            {"conditions", to_json(r.setup.conditions)},
-            {"pitch", to_json(match::PitchSpec{.name = r.setup.pitch_name,
-                                               .source = "",
-                                               .parameters = r.setup.parameters,
-                                               .control_period = {},
-                                               .conditions = {}})}};
-  if (r.setup.start) json["situation"] = to_json(Situation{r.setup.league, *r.setup.start});
-  if (record.from) {
-    json["from"] = {{"tick", record.from->tick},
-                    {"state_hash", to_hex(record.from->state_hash)},
-                    {"blue", record.from->teams[0]},
-                    {"yellow", record.from->teams[1]}};
-  }
-  json["teams"] = {{"blue", fields_json(record.teams[0])},
-                   {"yellow", fields_json(record.teams[1])}};
-  json["result"] = to_json(r.outcome);
-  json["decisions"] = decisions;
-  json["budget"] = {{"blue", fields_json(record.budget[0])},
-                    {"yellow", fields_json(record.budget[1])}};
-  json["network"] = network_json(record.network);
-  json["pace"] = pace_json(record.pace);
-  json["isolation"] = record.isolation;
-  json["ticks"] = r.ticks.size();
-  json["state_hash"] = to_hex(r.state_hash);
-  return json;
+  RecordFile file{record, "", "", record.recording.ticks.size()};
+  FieldWriter fields;
+  list_fields(fields, file);
+  return fields.object();
 }
 
 Result<void> save(system::Files& files, const std::string& path, const MatchRecord& record) {

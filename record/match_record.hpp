@@ -79,6 +79,8 @@ struct PlayedOnFrom {
   std::uint32_t tick = 0;            // the first tick that the teams of this leg answered
   std::uint64_t state_hash = 0;      // hash of the whole leg of the continued record
   match::ByTeam<std::string> teams;  // the teams of the continued record
+
+  bool operator==(const PlayedOnFrom&) const = default;
 };
 
 struct MatchRecord {

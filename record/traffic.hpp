@@ -37,6 +37,8 @@ struct DatagramCounts {
   std::uint64_t replacements = 0;    // refused replacements, because a team may not move bodies
   std::uint64_t not_finite = 0;      // commands with NaN or an infinity
   std::uint64_t unknown_robots = 0;  // commands to a robot that does not exist
+
+  bool operator==(const DatagramCounts&) const = default;
 };
 
 }  // namespace mirocup::record

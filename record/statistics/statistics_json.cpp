@@ -2,9 +2,8 @@
 #include "record/statistics/statistics_json.hpp"
 
 #include "record/json_fields.hpp"
+#include "record/leg_fields.hpp"
 #include "record/statistics/advice.hpp"
-#include "record/touch_fields.hpp"
-#include "system/number_of.hpp"
 
 #include <cmath>
 
@@ -74,27 +73,9 @@ Json team_json(TeamStatistics own, const TeamStatistics& other) {
   return fields.object();
 }
 
-void list_place(auto& f, const char* key, Vec2& place) {
-  f.as(
-      key,
-      [&] {
-        return Json::array({place.x(), place.y()});
-      },
-      [&](const JsonReader& json) {
-        place = {json.at(0).number(), json.at(1).number()};
-      });
-}
-
-void list_place_in_millimetres(auto& f, const char* key, Vec2& place) {
-  Vec2 shown{std::round(place.x() * 1e3) / 1e3, std::round(place.y() * 1e3) / 1e3};
-  list_place(f, key, shown);
-  place = shown;
-}
-
-std::uint64_t read_hash(const JsonReader& json) {
-  const auto hash = system::hexadecimal_of<std::uint64_t>(json.text());
-  if (!hash) json.complain("16 digits are expected");
-  return hash.value_or(0);
+void list_in_millimetres(auto& f, const char* key, Vec2& place) {
+  place = {std::round(place.x() * 1e3) / 1e3, std::round(place.y() * 1e3) / 1e3};
+  f(key, place);
 }
 
 }  // namespace
@@ -102,7 +83,7 @@ std::uint64_t read_hash(const JsonReader& json) {
 static void list_fields(auto& f, Loss& loss) {
   f("tick", loss.tick);
   f("kind", loss.kind);
-  list_place(f, "place", loss.place);
+  f("place", loss.place);
   f("third", loss.third);
 }
 
@@ -121,7 +102,7 @@ static void list_fields(auto& f, Goal& goal) {
 static void list_fields(auto& f, ShotMark& shot) {
   f("tick", shot.tick);
   f("team", shot.team);
-  list_place_in_millimetres(f, "place", shot.place);
+  list_in_millimetres(f, "place", shot.place);
   f("on_goal", shot.on_goal);
   f("goal", shot.is_goal);
 }
@@ -129,8 +110,8 @@ static void list_fields(auto& f, ShotMark& shot) {
 static void list_fields(auto& f, PassMark& pass) {
   f("tick", pass.tick);
   f("team", pass.team);
-  list_place_in_millimetres(f, "from", pass.from);
-  list_place_in_millimetres(f, "to", pass.to);
+  list_in_millimetres(f, "from", pass.from);
+  list_in_millimetres(f, "to", pass.to);
 }
 
 static void list_fields(auto& f, Foul& foul) {
@@ -140,7 +121,8 @@ static void list_fields(auto& f, Foul& foul) {
   f("restart", foul.restart);
 }
 
-static void list_fields(auto& f, LegStatistics& s) {
+// `names` are those of the teams, if these are listed.
+static void list_leg(auto& f, LegStatistics& s, match::ByTeam<std::string>* names) {
   f("play_s", s.play_s, 0.0);
   f("dead_ball_s", s.dead_ball_s, 0.0);
   f("stoppages", s.stoppages, 0);
@@ -148,12 +130,18 @@ static void list_fields(auto& f, LegStatistics& s) {
   f.as(
       "teams",
       [&] {
-        return Json{{"blue", team_json(s.teams[0], s.teams[1])},
-                    {"yellow", team_json(s.teams[1], s.teams[0])}};
+        Json teams;
+        for (const Team team : both_teams) {
+          Json& own = teams[std::string(to_string(team))];
+          if (names != nullptr) own["name"] = (*names)[index_of(team)];
+          own.update(team_json(s.teams[index_of(team)], s.teams[index_of(opponent_of(team))]));
+        }
+        return teams;
       },
       [&](const JsonReader& teams) {
         for (const Team team : both_teams) {
           record::FieldReader fields(teams.at(std::string(to_string(team))));
+          if (names != nullptr) fields("name", (*names)[index_of(team)]);
           list_team(fields, s.teams[index_of(team)], {});
         }
       });
@@ -163,45 +151,26 @@ static void list_fields(auto& f, LegStatistics& s) {
   f("passes", s.passes);
 }
 
-namespace {
-
-LegReport read_leg(const JsonReader& json) {
-  json.expect_schema(schema);
-  LegReport leg;
-  leg.record = json.at("record").text();
-  json.read_if_present("leg", leg.leg);
-  leg.control_period = json.at("control_period").number(0.0);
-  leg.state_hash = read_hash(json.at("state_hash"));
-  for (const Team team : both_teams) {
-    const std::string colour(to_string(team));
-    leg.names[index_of(team)] = json.at("teams").at(colour).at("name").text();
-    leg.played[index_of(team)] = json.at("score").at(colour).as<int>();
-  }
-  leg.statistics = record::read_fields<LegStatistics>(json);
-  return leg;
+static void list_fields(auto& f, LegStatistics& s) {
+  list_leg(f, s, nullptr);
 }
 
-}  // namespace
+static void list_fields(auto& f, LegReport& leg) {
+  f.only_written("schema", schema);
+  f("record", leg.record);
+  f.if_set("leg", leg.leg);
+  record::list_hash(f, "state_hash", leg.state_hash);
+  f("control_period", leg.control_period, 0.0);
+  f("score", leg.played);
+  list_leg(f, leg.statistics, &leg.names);
+}
 
 Json to_json(const LegStatistics& s) {
   return record::fields_json(s);
 }
 
 Json to_json(const LegReport& leg) {
-  Json json{{"schema", schema}, {"record", leg.record}};
-  if (!leg.leg.empty()) json["leg"] = leg.leg;
-  json["state_hash"] = to_hex(leg.state_hash);
-  json["control_period"] = leg.control_period;
-  json["score"] = {{"blue", leg.played[0]}, {"yellow", leg.played[1]}};
-  Json statistics = to_json(leg.statistics);
-  for (const Team team : both_teams) {
-    Json& own = statistics["teams"][std::string(to_string(team))];
-    Json named{{"name", leg.names[index_of(team)]}};
-    named.update(own);
-    own = named;
-  }
-  json.update(statistics);
-  return json;
+  return record::fields_json(leg);
 }
 
 Json to_json(const TeamTotals& team) {
@@ -232,7 +201,10 @@ std::string leg_report_text(const LegReport& leg) {
 }
 
 Result<LegReport> parse_leg_report(std::string_view text, const std::string& path) {
-  return record::read_json<LegReport>(text, path, Errc::damaged, read_leg);
+  return record::read_json<LegReport>(text, path, Errc::damaged, [](const JsonReader& json) {
+    json.expect_schema(schema);
+    return record::read_fields<LegReport>(json);
+  });
 }
 
 }  // namespace mirocup::statistics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_fields.hpp"
 
-#include "record/touch_fields.hpp"
+#include "record/leg_fields.hpp"
 #include "tests/support/is_ok.hpp"
 
 #include <gtest/gtest.h>
