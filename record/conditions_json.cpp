@@ -2,7 +2,7 @@
 #include "record/conditions_json.hpp"
 
 #include "core/base/math.hpp"
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 
 #include <optional>
 
@@ -37,17 +37,12 @@ void for_each_value(C& c, Visit visit) {
   visit("radio_loss", c.radio_loss, 1.0);
 }
 
-void read(const JsonReader& json, double& value, double max) {
-  value = json.number(0.0, max);
-}
-void read(const JsonReader& json, int& value, int max) {
-  value = json.integer<int>(0, max);
-}
-
 void read_values(const JsonReader& json, Conditions& conditions) {
   read_named_members(
       json, conditions, "condition", [](auto& c, auto visit) { for_each_value(c, visit); },
-      [](const JsonReader& value, auto& member, auto max) { read(value, member, max); });
+      [](const JsonReader& value, auto& member, auto max) {
+        FieldReader::read(value, member, decltype(max){0}, max);
+      });
 }
 
 }  // namespace

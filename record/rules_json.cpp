@@ -81,16 +81,6 @@ void for_each_parameter(R& rules, Visit visit) {
   visit("hand_penalty", rules.hand_penalty);
 }
 
-Json json_of(double value) {
-  return std::isinf(value) ? Json() : Json(value);
-}
-Json json_of(int value) {
-  return value;
-}
-Json json_of(bool value) {
-  return value;
-}
-
 // A limit that is off is null.
 void read(const JsonReader& json, double& value) {
   value = json.is_null() ? referee::off : json.number(0.0);
@@ -108,8 +98,9 @@ void read(const JsonReader& json, bool& value) {
 
 Json to_json(const Rules& rules) {
   Json object{{"preset", to_string(rules.preset)}};
-  for_each_parameter(rules,
-                     [&](const char* name, const auto& value) { object[name] = json_of(value); });
+  for_each_parameter(rules, [&](const char* name, const auto& value) {
+    object[name] = std::isinf(static_cast<double>(value)) ? Json() : Json(value);
+  });
   return object;
 }
 

@@ -104,10 +104,6 @@ RestartStart read_restart(const JsonReader& json, const std::optional<simulator:
   return restart;
 }
 
-bool is_zero(const Vec2& v) {
-  return v.x() == 0.0 && v.y() == 0.0;
-}
-
 bool moves(const RobotStart& robot) {
   if (!robot.state) return false;
   const simulator::Twist& twist = robot.state->twist;
@@ -118,7 +114,7 @@ bool moves(const RobotStart& robot) {
 // At a restart everything stands until the whistle.
 void expect_rest(const JsonReader& json, const Start& start) {
   const std::string why = "at a restart everything stands until the whistle";
-  if (start.ball && !is_zero(start.ball->velocity)) json.at("ball").at("velocity").complain(why);
+  if (start.ball && start.ball->velocity != Vec2{}) json.at("ball").at("velocity").complain(why);
   for (const Team team : both_teams) {
     for (std::size_t i = 0; i < max_robots_per_team; ++i) {
       if (!moves(start.robots[index_of(team)][i])) continue;
@@ -184,18 +180,16 @@ Json robot_json(const RobotStart& robot) {
   return json;
 }
 
-using DrawnJson = nlohmann::ordered_json;
-
 constexpr int max_draws = 100;
 
-bool is_range(const DrawnJson& json) {
+bool is_range(const Json& json) {
   return json.is_object() && json.size() == 2 && json.contains("from") && json.contains("to");
 }
 
-Result<Situation> draw_once(const DrawnJson& ranges, RobotLeague league, Random& random,
+Result<Situation> draw_once(const Json& ranges, RobotLeague league, Random& random,
                             const std::string& path) {
-  DrawnJson json{{"schema", "mirocup/situation/1"}, {"league", to_string(league)}};
-  const DrawnJson numbers = drawn(ranges, random);
+  Json json{{"schema", "mirocup/situation/1"}, {"league", to_string(league)}};
+  const Json numbers = drawn(ranges, random);
   for (const auto& [key, value] : numbers.items()) json[key] = value;
   std::optional<JsonProblem> problem;
   Situation situation = read_situation(JsonReader(json, "", problem));
@@ -276,18 +270,18 @@ Json to_json(const Situation& situation) {
   return json;
 }
 
-DrawnJson drawn(const DrawnJson& json, Random& random) {
+Json drawn(const Json& json, Random& random) {
   if (is_range(json) && json["from"].is_number() && json["to"].is_number()) {
     return random.uniform(value_in(json, "from", 0.0), value_in(json, "to", 0.0));
   }
-  DrawnJson result = json;
+  Json result = json;
   for (auto& member : result) {
     if (member.is_structured()) member = drawn(member, random);
   }
   return result;
 }
 
-Result<Situation> draw_situation(const DrawnJson& ranges, RobotLeague league, Random& random,
+Result<Situation> draw_situation(const Json& ranges, RobotLeague league, Random& random,
                                  const std::string& path) {
   auto situation = draw_once(ranges, league, random, path);
   for (int i = 1; !situation && i < max_draws; ++i) {
