@@ -13,10 +13,6 @@ constexpr double pass_min_length = 0.15;  // m that the ball rolls between the t
 constexpr double save_min_speed = 0.2;    // m/s of the ball
 constexpr double contact_gap_ticks = 1;   // a longer pause begins another contact
 
-End end_of(const match::Leg& leg, Team team) {
-  return team == leg.snapshot().left ? End::left : End::right;
-}
-
 }  // namespace
 
 Judge::Judge(const Drill& drill, const match::Leg& leg)
@@ -42,12 +38,14 @@ bool Judge::follow() {
   return !leg_.is_over() && !is_decided();
 }
 
-// Counts something that has happened in this tick.
-void Judge::count(EventKind kind) {
+// Counts something that has happened in this tick, by a touch of the team if one is given.
+void Judge::count(EventKind kind, const match::Touch* touch) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const Event& event = drill_.success[i];
     State& state = states_[i];
     if (event.kind != kind || state.at || now() > event.by) continue;
+    if (touch != nullptr && event.robot.value_or(touch->robot) != touch->robot) continue;
+    if (event.first && touched_by_opponent_) continue;
     if (++state.count >= event.count) state.at = now();
   }
 }
@@ -81,19 +79,12 @@ void Judge::see_touch() {
   const bool goes_on =
       contact_ && contact_->who == *touch && tick - contact_->tick <= 1 + contact_gap_ticks;
   if (!goes_on && touch->team == tested) {
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      const Event& event = drill_.success[i];
-      State& state = states_[i];
-      const bool fits = event.kind == EventKind::touch && !state.at && now() <= event.by &&
-                        event.robot.value_or(touch->robot) == touch->robot &&
-                        !(event.first && touched_by_opponent_);
-      if (fits && ++state.count >= event.count) state.at = now();
-    }
+    count(EventKind::touch, &*touch);
     const bool is_pass =
         contact_ && contact_->who.team == tested && contact_->who.robot != touch->robot &&
         (contact_->ball - leg_.ball().position).squaredNorm() > pass_min_length * pass_min_length;
     if (is_pass) count(EventKind::pass);
-    const End own_end = end_of(leg_, tested);
+    const End own_end = leg_.end_of(tested);
     const double towards_goal =
         own_end == End::left ? -ball_before_.velocity.x() : ball_before_.velocity.x();
     if (towards_goal > save_min_speed &&
@@ -131,7 +122,7 @@ void Judge::hold(const Event& event, State& state, bool is_there) {
 }
 
 bool Judge::is_in_pose(const Event& event) const {
-  const End end = end_of(leg_, tested);
+  const End end = leg_.end_of(tested);
   Pose wanted = event.pose;
   if (event.frame == Frame::ball) {
     const Vec2 ball = team_frame(end, leg_.ball().position);
@@ -157,7 +148,7 @@ bool Judge::is_in_pose(const Event& event) const {
 }
 
 bool Judge::is_in_area(const Event& event) const {
-  const End end = end_of(leg_, tested);
+  const End end = leg_.end_of(tested);
   const auto is_inside = [&event](const Vec2& at) {
     return at.x() >= event.area[0] && at.x() <= event.area[2] && at.y() >= event.area[1] &&
            at.y() <= event.area[3];

@@ -53,7 +53,7 @@ class Judge {
   void see_save();
   void end_save();
   void see_places();
-  void count(EventKind kind);
+  void count(EventKind kind, const match::Touch* touch = nullptr);
   void hold(const Event& event, State& state, bool is_there);
   bool is_in_pose(const Event& event) const;
   bool is_in_area(const Event& event) const;
