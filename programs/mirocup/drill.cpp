@@ -126,13 +126,17 @@ Result<int> run_drill(DrillOptions options, const record::WriteAnswer& answer) {
               record::parameters_with_changes({}, options.parameters, "--param"));
   MIROCUP_TRY(const auto teams, tested_teams(options));
   MIROCUP_TRY(const auto reports, try_drills(teams, drills, options.tries, parameters, options));
-  MIROCUP_TRY_VOID(answer(json_of(reports)));
+  record::Json of_teams = record::Json::array();
+  for (const DrillReport& report : reports) of_teams.push_back(json_of(report));
+  const record::Json json = of_teams.size() == 1 ? of_teams[0] : record::Json{{"teams", of_teams}};
+  MIROCUP_TRY_VOID(answer(json));
   if (options.json) {
-    print_json(json_of(reports));
+    print_json(json);
   } else if (options.csv) {
     std::cout << csv_of(reports);
   } else {
-    for (const DrillReport& report : reports) std::cout << text_of(report);
+    for (std::size_t i = 0; i < reports.size(); ++i)
+      std::cout << report_text(of_teams[i], drills.size() > 1 ? "all" : "", faults_of(reports[i]));
   }
   const double wanted = options.at_least.value_or(0.0);
   const bool is_enough = std::all_of(reports.begin(), reports.end(), [wanted](const auto& report) {

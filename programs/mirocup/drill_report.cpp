@@ -19,31 +19,12 @@ namespace {
 using system::formatted;
 using Json = nlohmann::ordered_json;
 
-double to_a_tenth(double value) {
-  return std::round(10.0 * value) / 10.0;
-}
-
 std::vector<std::uint64_t> failed_seeds(const std::vector<PlayedTry>& tries) {
   std::vector<std::uint64_t> seeds;
   for (const PlayedTry& one : tries) {
     if (!one.result.passed) seeds.push_back(one.seed);
   }
   return seeds;
-}
-
-Json json_of(const DrillReport& report) {
-  Json drills = Json::array();
-  for (std::size_t i = 0; i < report.drills.size(); ++i) {
-    const Score score = score_of(report.tries[i]);
-    drills.push_back({{"name", report.drills[i]->name},
-                      {"version", report.drills[i]->version},
-                      {"score", to_a_tenth(score.value)},
-                      {"low", to_a_tenth(score.low)},
-                      {"high", to_a_tenth(score.high)},
-                      {"tries", report.tries[i].size()},
-                      {"failed_seeds", failed_seeds(report.tries[i])}});
-  }
-  return {{"team", report.team}, {"drills", drills}, {"score", to_a_tenth(report.score())}};
 }
 
 }  // namespace
@@ -55,6 +36,16 @@ Score score_of(const std::vector<PlayedTry>& tries) {
   const double p = sum / n;
   const record::Interval interval = record::wilson_interval(p, n);
   return {.value = 100.0 * p, .low = 100.0 * interval.low, .high = 100.0 * interval.high};
+}
+
+double to_a_tenth(double score) {
+  return std::round(10.0 * score) / 10.0;
+}
+
+void set_score(Json& json, const Score& score) {
+  json["score"] = to_a_tenth(score.value);
+  json["low"] = to_a_tenth(score.low);
+  json["high"] = to_a_tenth(score.high);
 }
 
 double DrillReport::score() const {
@@ -75,44 +66,63 @@ std::vector<std::string> faults_of(const DrillReport& report) {
   return faults;
 }
 
-std::string text_of(const DrillReport& report) {
-  std::string text = system::printable(report.team) + "\n";
+Json json_of(const DrillReport& report) {
+  Json drills = Json::array();
   for (std::size_t i = 0; i < report.drills.size(); ++i) {
-    const Score score = score_of(report.tries[i]);
-    const auto failed = failed_seeds(report.tries[i]);
-    text += formatted("  %-25s v%-2d %5.1f  (%.0f to %.0f)", report.drills[i]->name.c_str(),
-                      report.drills[i]->version, score.value, score.low, score.high);
-    if (!failed.empty()) {
-      text += formatted("  failed %zu of %zu", failed.size(), report.tries[i].size());
-      text += ", first with seed " + std::to_string(failed.front());
-    }
-    text += "\n";
+    Json& drill = drills.emplace_back();
+    drill["name"] = report.drills[i]->name;
+    drill["version"] = report.drills[i]->version;
+    set_score(drill, score_of(report.tries[i]));
+    drill["tries"] = report.tries[i].size();
+    drill["failed_seeds"] = failed_seeds(report.tries[i]);
   }
-  if (report.drills.size() > 1) text += formatted("  %-28s %5.1f\n", "all", report.score());
-  for (const std::string& fault : faults_of(report))
-    text += "  fault: " + system::printable(fault) + "\n";
-  return text;
+  return {{"team", report.team}, {"drills", drills}, {"score", to_a_tenth(report.score())}};
 }
 
-Json json_of(const std::vector<DrillReport>& reports) {
-  if (reports.size() == 1) return json_of(reports.front());
-  Json teams = Json::array();
-  for (const DrillReport& report : reports) teams.push_back(json_of(report));
-  return {{"teams", teams}};
+std::string report_text(const Json& team, const std::string& total,
+                        const std::vector<std::string>& notes) {
+  std::string text = system::printable(record::text_in(team, "team")) + "\n";
+  const auto number = [](const Json& of, const char* key) {
+    return record::value_in<double>(of, key);
+  };
+  const auto add_score = [&](const Json& of, const std::string& name) {
+    text += formatted("  %-29s %5.1f", name.c_str(), number(of, "score"));
+    if (of.contains("low"))
+      text += formatted("  (%.0f to %.0f)", number(of, "low"), number(of, "high"));
+  };
+  for (const Json& drill : team["drills"]) {
+    const bool is_of_sheet = drill.contains("weight");
+    const std::string name = formatted("%-25s ", record::text_in(drill, "name").c_str());
+    add_score(drill, name + formatted(is_of_sheet ? "x%g" : "v%g",
+                                      number(drill, is_of_sheet ? "weight" : "version")));
+    if (is_of_sheet)
+      text += formatted("  marks %.1f; start %.1f, reference %.1f", number(drill, "marks"),
+                        number(drill, "start"), number(drill, "reference"));
+    if (const Json& failed = drill["failed_seeds"]; !failed.empty())
+      text += formatted("  failed %zu of %.0f, first with seed ", failed.size(),
+                        number(drill, "tries")) +
+              record::json_text(failed[0]);
+    text += "\n";
+  }
+  if (!total.empty()) {
+    add_score(team, total);
+    text += "\n";
+  }
+  for (const std::string& note : notes) text += "  " + system::printable(note) + "\n";
+  return text;
 }
 
 std::string csv_of(const std::vector<DrillReport>& reports) {
   Json rows = Json::array();
   for (const DrillReport& report : reports) {
-    Json all{{"team", report.team}, {"name", "all"}, {"score", to_a_tenth(report.score())}};
+    Json all = json_of(report);
     std::size_t tries = 0;
-    Json drills = json_of(report)["drills"];
-    for (Json& drill : drills) {
+    for (Json& drill : all["drills"]) {
       tries += record::value_in<std::size_t>(drill, "tries");
       drill["team"] = report.team;
       rows.push_back(drill);
     }
-    all["tries"] = tries;
+    all.update({{"name", "all"}, {"tries", tries}});
     rows.push_back(all);
   }
   std::string text = record::csv_of(

@@ -23,6 +23,10 @@ struct Score {
 // the interval is a little too wide.
 Score score_of(const std::vector<PlayedTry>& tries);
 
+// Sets "score", "low" and "high" of an object, rounded like all scores that are printed.
+double to_a_tenth(double score);
+void set_score(nlohmann::ordered_json& json, const Score& score);
+
 // The marks of one team.
 struct DrillReport {
   std::string team;
@@ -35,11 +39,13 @@ struct DrillReport {
 // Returns the faults of the team, each once.
 std::vector<std::string> faults_of(const DrillReport& report);
 
-std::string text_of(const DrillReport& report);
+// Returns {"team", "drills", "score"}.
+nlohmann::ordered_json json_of(const DrillReport& report);
 
-// Returns {"team", "drills", "score"} for one team, {"teams": [an object like this for each team]}
-// for several.
-nlohmann::ordered_json json_of(const std::vector<DrillReport>& reports);
+// Returns the object of a team for a person; `total` stands before the score of all drills, ""
+// leaves it out. `notes` come last, a line each.
+std::string report_text(const nlohmann::ordered_json& team, const std::string& total,
+                        const std::vector<std::string>& notes);
 
 // Returns the page that lists the failed tries, with links to pages of the tries in the same
 // folder.

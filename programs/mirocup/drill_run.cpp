@@ -62,11 +62,11 @@ class Try {
   }
 
   Result<void> seat_teams() {
-    MIROCUP_TRY_VOID(seat(task_.teams->tested, drills::tested, terms_));
+    MIROCUP_TRY_VOID(seat(task_.teams.tested, drills::tested, terms_));
     const Team opponent = opponent_of(drills::tested);
-    MIROCUP_TRY_VOID(seat(task_.teams->opponent, opponent, terms_));
-    if (!task_.teams->mates) return {};
-    return seat(*task_.teams->mates, drills::tested, mates_terms_);
+    MIROCUP_TRY_VOID(seat(task_.teams.opponent, opponent, terms_));
+    if (!task_.teams.mates) return {};
+    return seat(*task_.teams.mates, drills::tested, mates_terms_);
   }
 
   // Plays until the try is decided. Returns false if the host has failed.
@@ -151,104 +151,30 @@ class Try {
   drills::TryResult result_;
 };
 
-// A number of threads that take one try after the other.
-class Crew {
- public:
-  Crew(const std::vector<DrillTask>& tasks, const DrillTerms& terms, plugins::Isolation isolation)
-      : tasks_(tasks), terms_(terms), isolation_(isolation) {
-    for (std::size_t task = 0; task < tasks.size(); ++task) {
-      played_.emplace_back(static_cast<std::size_t>(tasks[task].tries));
-      for (int i = 0; i < tasks[task].tries; ++i) order_.push_back({task, i});
+Result<PlayedTry> play_one(const DrillTask& task, std::uint64_t seed, const DrillTerms& terms,
+                           plugins::Isolation isolation) {
+  MIROCUP_TRY(const auto setup, drills::setup_of(*task.drill, seed));
+  std::string why_void;
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
+    Try one(task, setup, isolation);
+    MIROCUP_TRY_VOID(one.seat_teams());
+    if (!one.play()) {
+      why_void = one.leg().is_over() ? one.leg().outcome().why_void
+                                     : "the mates of the tested team cannot play";
+      continue;
     }
-  }
-
-  Result<std::vector<std::vector<PlayedTry>>> play(const std::function<void(int)>& progress) {
-    system::Interrupt interrupt;  // before the threads, which then leave the signals to this one
-    const int processors = static_cast<int>(system::processors().size());
-    const int jobs =
-        std::min<int>(terms_.jobs > 0 ? terms_.jobs : processors, static_cast<int>(order_.size()));
-    std::vector<std::thread> crew;
-    working_ = jobs;
-    for (int i = 0; i < jobs; ++i) crew.emplace_back([this, i] { work(i); });
-    while (working_ > 0) {
-      std::this_thread::sleep_for(between_polls);
-      if (interrupt.is_asked_for()) stop(Error{Errc::interrupted, "interrupted"});
-      progress(done_);
+    PlayedTry played{.seed = seed, .result = one.result(), .fault = one.fault()};
+    if (!terms.replay_folder.empty() && !played.result.passed) {
+      one.play_on();
+      const std::string name = task.teams.tested.info.name + "-" + task.drill->name + "-" +
+                               std::to_string(seed) + ".json";
+      const auto path = std::filesystem::path(terms.replay_folder) / name;
+      MIROCUP_TRY_VOID(one.save(path.string()));
     }
-    for (std::thread& worker : crew) worker.join();
-    if (error_) return tl::unexpected(*error_);
-    return std::move(played_);
+    return played;
   }
-
- private:
-  struct Place {
-    std::size_t task = 0;
-    int number = 0;
-  };
-
-  void work(int worker) {
-    // A leg and its teams take turns, so they share a processor (server::stay_on_this_core()).
-    const std::vector<int> processors = system::processors();
-    const int own = processors[static_cast<std::size_t>(worker) % processors.size()];
-    if (own >= 0) system::stay_on(own);
-    while (!is_stopped_) {
-      const std::size_t at = next_++;
-      if (at >= order_.size()) break;
-      const Place place = order_[at];
-      auto played = play_one(tasks_[place.task],
-                             terms_.first_seed + static_cast<std::uint64_t>(place.number));
-      if (!played) {
-        stop(played.error());
-        break;
-      }
-      played_[place.task][static_cast<std::size_t>(place.number)] = std::move(*played);
-      ++done_;
-    }
-    --working_;
-  }
-
-  Result<PlayedTry> play_one(const DrillTask& task, std::uint64_t seed) const {
-    MIROCUP_TRY(const auto setup, drills::setup_of(*task.drill, seed));
-    std::string why_void;
-    for (int attempt = 0; attempt < max_attempts; ++attempt) {
-      Try one(task, setup, isolation_);
-      MIROCUP_TRY_VOID(one.seat_teams());
-      if (!one.play()) {
-        why_void = one.leg().is_over() ? one.leg().outcome().why_void
-                                       : "the mates of the tested team cannot play";
-        continue;
-      }
-      PlayedTry played{.seed = seed, .result = one.result(), .fault = one.fault()};
-      if (!terms_.replay_folder.empty() && !played.result.passed) {
-        one.play_on();
-        const std::string name = task.teams->tested.info.name + "-" + task.drill->name + "-" +
-                                 std::to_string(seed) + ".json";
-        const auto path = std::filesystem::path(terms_.replay_folder) / name;
-        MIROCUP_TRY_VOID(one.save(path.string()));
-      }
-      return played;
-    }
-    return fail(Errc::host, task.drill->name + ", seed " + std::to_string(seed) + ": " + why_void);
-  }
-
-  void stop(Error error) {
-    const std::lock_guard lock(mutex_);
-    if (!error_) error_ = std::move(error);
-    is_stopped_ = true;
-  }
-
-  const std::vector<DrillTask>& tasks_;
-  const DrillTerms& terms_;
-  plugins::Isolation isolation_;
-  std::vector<Place> order_;
-  std::vector<std::vector<PlayedTry>> played_;
-  std::atomic<std::size_t> next_{0};
-  std::atomic<int> done_{0};
-  std::atomic<int> working_{0};
-  std::atomic<bool> is_stopped_{false};
-  std::mutex mutex_;
-  std::optional<Error> error_;  // the first one; guarded by mutex_
-};
+  return fail(Errc::host, task.drill->name + ", seed " + std::to_string(seed) + ": " + why_void);
+}
 
 }  // namespace
 
@@ -260,8 +186,51 @@ Result<std::vector<std::vector<PlayedTry>>> play_drills(const std::vector<DrillT
                                                         const DrillTerms& terms,
                                                         const std::function<void(int)>& progress) {
   MIROCUP_TRY(const auto isolation, plugins::strongest_isolation());
-  Crew crew(tasks, terms, isolation);
-  return crew.play(progress);
+  std::vector<std::vector<PlayedTry>> played;
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // of the tries: task and number
+  for (std::size_t task = 0; task < tasks.size(); ++task) {
+    played.emplace_back(static_cast<std::size_t>(tasks[task].tries));
+    for (std::size_t i = 0; i < played[task].size(); ++i) order.emplace_back(task, i);
+  }
+  system::Interrupt interrupt;  // before the threads, which then leave the signals to this one
+  const std::vector<int> processors = system::processors();
+  const std::size_t wanted =
+      terms.jobs > 0 ? static_cast<std::size_t>(terms.jobs) : processors.size();
+  const std::size_t jobs = std::min(wanted, order.size());
+  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> done{0};
+  std::atomic<std::size_t> working{jobs};
+  std::mutex mutex;
+  std::optional<Error> error;  // the first one
+  const auto stop = [&](Error why) {
+    const std::lock_guard lock(mutex);
+    if (!error) error = std::move(why);
+    next = order.size();
+  };
+  const auto work = [&](std::size_t worker) {
+    // A leg and its teams take turns, so they share a processor (server::stay_on_this_core()).
+    const int own = processors[worker % processors.size()];
+    if (own >= 0) system::stay_on(own);
+    for (std::size_t at = next++; at < order.size(); at = next++, ++done) {
+      const auto [task, number] = order[at];
+      auto one = play_one(tasks[task], terms.first_seed + number, terms, isolation);
+      if (one)
+        played[task][number] = std::move(*one);
+      else
+        stop(one.error());
+    }
+    --working;
+  };
+  std::vector<std::jthread> crew;
+  for (std::size_t i = 0; i < jobs; ++i) crew.emplace_back(work, i);
+  while (working > 0) {
+    std::this_thread::sleep_for(between_polls);
+    if (interrupt.is_asked_for()) stop(Error{Errc::interrupted, "interrupted"});
+    progress(static_cast<int>(done));
+  }
+  crew.clear();
+  if (error) return tl::unexpected(*error);
+  return played;
 }
 
 }  // namespace mirocup::app

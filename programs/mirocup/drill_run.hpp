@@ -20,10 +20,10 @@ struct DrillTeams {
   std::optional<server::TeamChoice> mates;  // empty: the tested team steers all its robots
 };
 
-// One drill for one team. Drill and teams belong to the caller.
+// One drill for one team. The drill belongs to the caller.
 struct DrillTask {
   const drills::Drill* drill = nullptr;
-  const DrillTeams* teams = nullptr;
+  DrillTeams teams;
   int tries = 0;
 };
 

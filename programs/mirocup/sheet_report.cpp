@@ -3,8 +3,6 @@
 
 #include "record/csv_rows.hpp"
 #include "record/json_fields.hpp"
-#include "system/printable.hpp"
-#include "system/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void set_score(Json& json, const Score& score) {
-  for (const auto& [key, value] :
-       {std::pair("score", score.value), {"low", score.low}, {"high", score.high}})
-    json[key] = std::round(10.0 * value) / 10.0;
-}
-
 Json entry_json(const drills::Sheet& sheet, const SheetScale& scale, const DrillReport& entry) {
-  Json json = json_of(std::vector{entry});
+  Json json = json_of(entry);
   Score mean;
   double weights = 0.0;
-  double below =
-      0.0;  // square of the distance to the lower end; that of a sum of independent parts
-  double above = 0.0;
+  double below = 0.0;  // square of the distance to the lower end, a sum of independent parts
+  double above = 0.0;  // and to the upper end
   for (std::size_t i = 0; i < sheet.drills.size(); ++i) {
     const double start = score_of(scale.start.tries[i]).value;
     const double reference = score_of(scale.reference.tries[i]).value;
@@ -44,8 +35,8 @@ Json entry_json(const drills::Sheet& sheet, const SheetScale& scale, const Drill
     Json& drill = json["drills"][i];
     drill.update({{"weight", weight},
                   {"marks", drill["score"]},
-                  {"start", json_of(std::vector{scale.start})["drills"][i]["score"]},
-                  {"reference", json_of(std::vector{scale.reference})["drills"][i]["score"]}});
+                  {"start", to_a_tenth(start)},
+                  {"reference", to_a_tenth(reference)}});
     set_score(drill, score);
   }
   mean.value /= weights;
@@ -84,28 +75,11 @@ std::string sheet_csv(const Json& json) {
 
 std::string sheet_text(const Json& json) {
   std::string text;
-  const auto number = [](const Json& of, const char* key) {
-    return record::value_in<double>(of, key);
-  };
-  const auto add_score = [&](const Json& of, const std::string& name) {
-    text += system::formatted("  %-32s %5.1f  (%.0f to %.0f)", name.c_str(), number(of, "score"),
-                              number(of, "low"), number(of, "high"));
-  };
   for (const Json& team : json["teams"]) {
-    text += system::printable(record::text_in(team, "team")) + "\n";
-    for (const Json& drill : team["drills"]) {
-      add_score(drill, record::text_in(drill, "name") +
-                           system::formatted(" x%g", number(drill, "weight")));
-      text += system::formatted("  marks %.1f; start %.1f, reference %.1f", number(drill, "marks"),
-                                number(drill, "start"), number(drill, "reference"));
-      if (const Json& failed = drill["failed_seeds"]; !failed.empty())
-        text += "; failed first with seed " + record::json_text(failed[0]);
-      text += "\n";
-    }
-    add_score(team, record::text_in(json, "sheet"));
-    text += "\n";
-    if (const std::string note = record::text_in(team, "note"); !note.empty())
-      text += "  " + system::printable(note) + "\n";
+    const std::string note = record::text_in(team, "note");
+    std::vector<std::string> notes;
+    if (!note.empty()) notes.push_back(note);
+    text += report_text(team, record::text_in(json, "sheet"), notes);
   }
   return text;
 }

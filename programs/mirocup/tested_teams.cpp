@@ -10,7 +10,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <list>
 #include <unistd.h>
 
 namespace mirocup::app {
@@ -45,31 +44,6 @@ Result<DrillTeams> teams_of(const drills::Drill& drill, const TestedTeam& team,
   MIROCUP_TRY(teams.mates, choose_in_drill(drill.mates, "/mates"));
   return teams;
 }
-
-// On a terminal, a line that counts.
-class TryCounter {
- public:
-  explicit TryCounter(int all) : all_(all), is_shown_(isatty(STDERR_FILENO) != 0) {}
-  ~TryCounter() { clear(); }
-  TryCounter(const TryCounter&) = delete;
-  TryCounter& operator=(const TryCounter&) = delete;
-
-  void clear() {
-    if (is_shown_ && shown_ >= 0) std::cerr << "\r\033[K" << std::flush;
-    shown_ = -1;
-  }
-
-  void show(int done) {
-    if (!is_shown_ || done == shown_) return;
-    shown_ = done;
-    std::cerr << "\r" << done << " of " << all_ << " tries" << std::flush;
-  }
-
- private:
-  int all_;
-  int shown_ = -1;
-  bool is_shown_;
-};
 
 }  // namespace
 
@@ -136,15 +110,14 @@ Result<std::vector<DrillReport>> try_drills(const std::vector<TestedTeam>& teams
                                             const DrillTerms& terms) {
   system::Disk disk;
   if (!terms.replay_folder.empty()) MIROCUP_TRY_VOID(disk.make_folder(terms.replay_folder));
-  int all_tries = 0;
+  int all_tries = 0;  // of a team
   for (const drills::Drill& drill : drills) all_tries += tries.value_or(drill.tries);
-  TryCounter counter(all_tries * static_cast<int>(teams.size()));
+  const bool is_terminal = isatty(STDERR_FILENO) != 0;
   std::vector<DrillReport> reports;
   for (const TestedTeam& team : teams) {
     const int before = all_tries * static_cast<int>(reports.size());
     DrillReport report;
     report.team = team.name;
-    std::list<DrillTeams> teams_of_drills;  // tasks point to its elements
     std::vector<DrillTask> tasks;
     for (const drills::Drill& drill : drills) {
       report.drills.push_back(&drill);
@@ -155,16 +128,19 @@ Result<std::vector<DrillReport>> try_drills(const std::vector<TestedTeam>& teams
         continue;
       }
       MIROCUP_TRY(auto of_this, teams_of(drill, team, parameters));
-      teams_of_drills.push_back(std::move(of_this));
-      tasks.push_back({&drill, &teams_of_drills.back(), tries.value_or(drill.tries)});
+      tasks.push_back({&drill, std::move(of_this), tries.value_or(drill.tries)});
     }
     if (!tasks.empty()) {
-      MIROCUP_TRY(report.tries,
-                  play_drills(tasks, terms, [&](int done) { counter.show(before + done); }));
+      auto played = play_drills(tasks, terms, [&](int done) {
+        if (is_terminal)
+          std::cerr << '\r' << before + done << " of " << all_tries * teams.size() << " tries"
+                    << std::flush;
+      });
+      if (is_terminal) std::cerr << "\r\033[K" << std::flush;
+      MIROCUP_TRY(report.tries, std::move(played));
     }
     reports.push_back(std::move(report));
   }
-  counter.clear();
   if (!terms.replay_folder.empty()) {
     const std::string list = terms.replay_folder + "/index.html";
     MIROCUP_TRY_VOID(disk.write(list, failed_page(reports)));
