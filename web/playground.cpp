@@ -123,17 +123,6 @@ Result<std::string> bytes_of(system::Files& files, const WorkbenchFile& file) {
   return files.read_named(file.source, system::size_limit::page);
 }
 
-bool is_workbench_folder(system::Files& files, const std::string& path) {
-  const std::string name = path.substr(path.rfind('/') + 1);
-  const std::string kind = name.substr(0, name.find('-'));
-  if (kind != "clang" && kind != "parts") return false;
-  auto present = files_of(files, path);
-  std::vector<WorkbenchFile> named;
-  if (!present) return false;
-  const auto made = move_to_hashed_folder(files, kind, std::move(*present), named);
-  return made && made->first == name;
-}
-
 Result<std::vector<WorkbenchFile>> workbench_files(system::Files& files, const std::string& folder,
                                                    bool takes_hand_ins) {
   const std::string built = system::browser_folder() + "/workbench/";

@@ -28,10 +28,6 @@ struct WorkbenchFile {
 Result<std::vector<WorkbenchFile>> workbench_files(system::Files& files, const std::string& folder,
                                                    bool takes_hand_ins);
 
-// True if workbench_files(), also that of another version, has made this folder, and its content is
-// what it was then.
-bool is_workbench_folder(system::Files& files, const std::string& path);
-
 // Returns the bytes of a file of the workbench.
 Result<std::string> bytes_of(system::Files& files, const WorkbenchFile& file);
 

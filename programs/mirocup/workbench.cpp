@@ -5,7 +5,6 @@
 #include "programs/mirocup/commands.hpp"
 #include "web/playground.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace mirocup::app {
@@ -15,20 +14,6 @@ namespace {
 struct WorkbenchOptions {
   std::string folder;
 };
-
-// Removes the folders of a former version. What somebody has changed stays.
-Result<void> remove_former_folders(system::Disk& disk, const std::string& folder,
-                                   const std::vector<web::WorkbenchFile>& files) {
-  MIROCUP_TRY(const auto names, disk.names_in(folder));
-  for (const std::string& name : names) {
-    const bool is_used = std::any_of(files.begin(), files.end(), [&name](const auto& file) {
-      return file.name.starts_with(name + "/");
-    });
-    const std::string path = folder + "/" + name;
-    if (!is_used && web::is_workbench_folder(disk, path)) MIROCUP_TRY_VOID(disk.remove(path));
-  }
-  return {};
-}
 
 Result<int> run_workbench(const WorkbenchOptions& options) {
   system::Disk disk;
@@ -49,7 +34,6 @@ Result<int> run_workbench(const WorkbenchOptions& options) {
   }
   MIROCUP_TRY(const auto playground, web::playground_page(disk));
   MIROCUP_TRY_VOID(write("playground.html", playground.value_or("")));
-  MIROCUP_TRY_VOID(remove_former_folders(disk, options.folder, files));
   std::cout << system::printable(options.folder) << "/index.html\n";
   return exit_yes;
 }

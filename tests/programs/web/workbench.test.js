@@ -6,8 +6,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { execFileSync, spawn } from 'node:child_process';
-import { createHash } from 'node:crypto';
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { closeBrowser, folder, inAllViews, openPage, readJson, run, serve, sticksOut, violations } from './support.js';
@@ -154,21 +153,6 @@ test('in a league, from an empty page to a team that beats chaser and is handed 
   const worker = page.workers().find((one) => one.url().endsWith('leg.js'));
   assert.deepEqual(await worker.evaluate(() => [typeof {}.taken, Object.keys(Object.prototype)]), ['undefined', []]);
   assert.match(await worker.evaluate(() => fetch('/spring/api/v1/entries').then(() => 'an answer', String)), /Failed to fetch/);
-});
-
-test('a new version removes the folders of the former one, but nothing else', options, () => {
-  const place = join(folder, 'again');
-  run('workbench', '-o', place);
-  const names = readdirSync(place);
-  const parts = names.find((name) => name.startsWith('parts-'));
-  const copied = (name) => cpSync(join(place, parts), join(place, name), { recursive: true });
-  const digest = (name, bytes) => createHash('sha256').update(`${name}\n${createHash('sha256').update(bytes).digest('hex')}`).digest('hex').slice(0, 16);
-  const former = `parts-${digest('page.js', 'old')}`;
-  mkdirSync(join(place, former));
-  writeFileSync(join(place, former, 'page.js'), 'old');
-  for (const name of ['parts-0123456789abcdef', 'parts-of-mine', 'mine']) copied(name);
-  run('workbench', '-o', place);
-  assert.deepEqual(readdirSync(place).sort(), [...names, 'parts-0123456789abcdef', 'parts-of-mine', 'mine'].sort());
 });
 
 test('everything can be read and reached, at 1280 and 390 px; from disk it says what it needs', options, async () => {
