@@ -15,37 +15,21 @@ namespace {
 
 using Words = std::array<std::uint32_t, 8>;
 
-// The first 32 bits of the fractional parts of the cube roots of the first 64 primes, and of the
-// square roots of the first eight. Made with whole numbers, so no digit can be mistyped.
-std::uint32_t root_bits(std::uint32_t prime, int power) {
-  std::uint64_t low = 0;
-  for (int bit = 34; bit >= 0; --bit) {  // the greatest n with n^power <= prime * 2^(32 power)
-    const std::uint64_t n = low | (std::uint64_t{1} << bit);
-    unsigned __int128 most = prime;
-    unsigned __int128 value = n;
-    most <<= 32 * power;
-    for (int i = 1; i < power; ++i) value *= n;
-    if (value <= most) low = n;
-  }
-  return static_cast<std::uint32_t>(low);
-}
+// The first 32 bits of the fractional parts of the square roots of the first eight primes, and of
+// the cube roots of the first 64.
+constexpr Words start{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                      0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+constexpr std::array<std::uint32_t, 64> rounds{
+    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
+    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
+    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
+    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
+    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
+    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
+    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
+    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-struct Constants {
-  std::array<std::uint32_t, 64> rounds{};
-  Words start{};
-  Constants() {
-    std::size_t found = 0;
-    for (std::uint32_t n = 2; found < rounds.size(); ++n) {
-      bool is_prime = true;
-      for (std::uint32_t d = 2; d * d <= n; ++d) is_prime = is_prime && n % d != 0;
-      if (!is_prime) continue;
-      if (found < start.size()) start[found] = root_bits(n, 2);
-      rounds[found++] = root_bits(n, 3);
-    }
-  }
-};
-
-void add_block(Words& state, const unsigned char* block, const Constants& constants) {
+void add_block(Words& state, const unsigned char* block) {
   std::array<std::uint32_t, 64> w{};
   for (std::size_t i = 0; i < 64; ++i) {
     if (i < 16) {
@@ -60,7 +44,7 @@ void add_block(Words& state, const unsigned char* block, const Constants& consta
   auto [a, b, c, d, e, f, g, h] = state;
   for (std::size_t i = 0; i < 64; ++i) {
     const std::uint32_t t1 = h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
-                             ((e & f) ^ (~e & g)) + constants.rounds[i] + w[i];
+                             ((e & f) ^ (~e & g)) + rounds[i] + w[i];
     const std::uint32_t t2 =
         (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & b) ^ (a & c) ^ (b & c));
     h = g, g = f, f = e, e = d + t1, d = c, c = b, b = a, a = t1 + t2;
@@ -72,15 +56,14 @@ void add_block(Words& state, const unsigned char* block, const Constants& consta
 }  // namespace
 
 std::string sha256(std::string_view bytes) {
-  static const Constants constants;
   std::string padded(bytes);
   padded += '\x80';
   padded.resize((padded.size() + 8 + 63) / 64 * 64 - 8, '\0');
   const std::uint64_t bits = std::uint64_t{8} * bytes.size();
   for (int shift = 56; shift >= 0; shift -= 8) padded += static_cast<char>(bits >> shift);
-  Words state = constants.start;
+  Words state = start;
   for (std::size_t at = 0; at < padded.size(); at += 64) {
-    add_block(state, reinterpret_cast<const unsigned char*>(padded.data()) + at, constants);
+    add_block(state, reinterpret_cast<const unsigned char*>(padded.data()) + at);
   }
   std::string digits;
   for (const std::uint32_t word : state) digits += formatted("%08x", static_cast<unsigned>(word));
