@@ -38,13 +38,12 @@ std::string words(const std::string& name) {
 
 std::string minutes(double seconds) {
   const auto whole = static_cast<int>(seconds + 1e-6);
-  const int rest = whole % 60;
-  return std::to_string(whole / 60) + (rest < 10 ? ":0" : ":") + std::to_string(rest);
+  return system::formatted("%d:%02d", whole / 60, whole % 60);
 }
 
 std::string score_text(const Json& score) {
-  return std::to_string(record::value_in(score, "blue", 0)) + " : " +
-         std::to_string(record::value_in(score, "yellow", 0));
+  return system::formatted("%d : %d", record::value_in(score, "blue", 0),
+                           record::value_in(score, "yellow", 0));
 }
 
 // The calls as text, for readers without scripts.

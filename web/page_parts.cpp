@@ -5,6 +5,7 @@
 #include "record/statistics/statistics_json.hpp"
 #include "system/digest.hpp"
 #include "system/locations.hpp"
+#include "system/text.hpp"
 #include "web/design/template.hpp"
 #include "web/markings.hpp"
 
@@ -56,11 +57,7 @@ std::string page_policy(const std::string& script, ModulePlace module) {
 }
 
 std::string embedded(const record::Json& json) {
-  std::string text;
-  for (const char c : record::json_text(json)) {
-    c == '<' ? text += "\\u003c" : text += c;
-  }
-  return text;
+  return system::replaced(record::json_text(json), "<", "\\u003c");
 }
 
 record::Json module_json(const BrowserModule& module) {
@@ -81,21 +78,11 @@ record::Json zones_json(const field::Field& field) {
 }
 
 std::string packed_text(std::string_view text) {
-  constexpr int gzip_window = 15 + 16;  // the largest window; 16 asks for gzip's header and no time
-  constexpr int memory_level = 8;
-  z_stream stream{};
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzip_window, memory_level,
-                   Z_DEFAULT_STRATEGY) != Z_OK) {
-    return "";
-  }
-  std::string bytes(deflateBound(&stream, text.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
-  stream.avail_out = static_cast<uInt>(bytes.size());
-  const bool is_done = deflate(&stream, Z_FINISH) == Z_STREAM_END;
-  bytes.resize(is_done ? stream.total_out : 0);
-  deflateEnd(&stream);
+  uLongf size = compressBound(text.size());
+  std::string bytes(size, '\0');
+  compress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+           reinterpret_cast<const Bytef*>(text.data()), text.size());
+  bytes.resize(size);
   return system::base64(bytes);
 }
 

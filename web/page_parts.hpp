@@ -47,9 +47,9 @@ enum class ModulePlace { nowhere, in_the_page, beside_it };
 // script and style are files beside the page.
 std::string page_policy(const std::string& script, ModulePlace module);
 
-// Returns a long text for the inside of a page, as gzip in base64, which has no characters of
-// HTML's markup. A browser unpacks it with DecompressionStream('gzip'). The same text gives the
-// same bytes.
+// Returns a long text for the inside of a page, compressed by zlib and in base64, which has no
+// characters of HTML's markup. A browser unpacks it with DecompressionStream('deflate'). The same
+// text gives the same bytes.
 std::string packed_text(std::string_view text);
 
 // Returns JSON as text for a <script> element; no part of the text can close the element.

@@ -2,6 +2,7 @@
 //
 // The numbers of one robot at the shown tick, in the frame of its team, beside those of another tick that the reader keeps; and
 // what its team thought and printed then.
+import { metres } from './situation.js';
 import { element, shape } from './text.js';
 import { unpackBytes } from './thoughts.js';
 import { unpackBytesOf } from './track.js';
@@ -10,8 +11,6 @@ const clickReach = 0.06;  // m: a robot that is closer to a click is meant
 const ringRadius = 64;  // mm
 const aboutReach = 0.12;  // m: a text of the thoughts that is closer is about the robot
 const wheelUnit = 0.1;  // rad/s, as web/page.cpp has it
-const metre = 0.0005;  // of a unit of a frame
-const radian = (2 * Math.PI) / 2048;  // likewise
 
 const halfTurned = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
 const withUnit = (value, digits, unit) => (Number.isNaN(value) ? '–' : `${(Math.abs(value) < 0.5 * 10 ** -digits ? 0 : value).toFixed(digits)} ${unit}`);
@@ -70,23 +69,20 @@ export class Inspector {
   numbersAt(tick) {
     const { track } = this.viewer;
     const at = track.indexAt(tick);
-    const column = 3 + 3 * this.index;
+    const before = Math.max(at - 1, 0);
     const team = this.teamOf(this.index);
     const sign = this.viewer.momentAt(tick).left === team ? 1 : -1;
-    const [now, before] = [track.frames[at], track.frames[Math.max(at - 1, 0)]];
-    const [x, y] = [now[column] * metre, now[column + 1] * metre];
-    const heading = now[column + 2] * radian;
+    const [{ robots: old }, { robots, ball }] = [before, at].map((i) => metres(track.frames[i]));
+    const { x, y, angle } = robots[this.index];
+    const [dx, dy] = [x - old[this.index].x, y - old[this.index].y];
     // A robot that was lifted to its place has no speed.
     const { stays } = track.at((track.ticks[at] - 0.5) * track.period).robots[this.index];
-    const seconds = stays ? NaN : Math.max(track.ticks[at] - track.ticks[Math.max(at - 1, 0)], 1) * track.period;
-    const [dx, dy] = [x - before[column] * metre, y - before[column + 1] * metre];
+    const seconds = stays ? NaN : Math.max(track.ticks[at] - track.ticks[before], 1) * track.period;
     const row = this.rows && [...this.rows[at]].slice(5 * this.index, 5 * this.index + 5);
-    const [ballX, ballY] = [now[1] * metre, now[2] * metre];
     return {
-      tick, team, x: sign * x, y: sign * y, heading: halfTurned(heading + (sign < 0 ? Math.PI : 0)),
-      speed: (dx * Math.cos(heading) + dy * Math.sin(heading)) / seconds,
-      turn: (now[column + 2] - before[column + 2]) * radian / seconds,
-      toBall: halfTurned(Math.atan2(ballY - y, ballX - x) - heading), far: Math.hypot(ballX - x, ballY - y),
+      tick, team, x: sign * x, y: sign * y, heading: halfTurned(angle + (sign < 0 ? Math.PI : 0)),
+      speed: (dx * Math.cos(angle) + dy * Math.sin(angle)) / seconds, turn: (angle - old[this.index].angle) / seconds,
+      toBall: halfTurned(Math.atan2(ball.y - y, ball.x - x) - angle), far: Math.hypot(ball.x - x, ball.y - y),
       asked: row?.slice(0, 2).map((speed) => speed * wheelUnit), driven: row?.slice(2, 4).map((speed) => speed * wheelUnit), age: row?.[4],
     };
   }

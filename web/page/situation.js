@@ -30,7 +30,7 @@ const rounded = (value, digits) => Number(value.toFixed(digits));
 const speed = (value) => (Math.abs(value) < restBelow ? 0 : rounded(value, 3));
 
 // The positions of a frame: m and rad, y upwards.
-function metres(frame) {
+export function metres(frame) {
   const robots = [];
   for (let i = 3; i < frame.length; i += 3) {
     robots.push({ x: frame[i] * 5e-4, y: frame[i + 1] * 5e-4, angle: (frame[i + 2] * 2 * Math.PI) / 2048 });

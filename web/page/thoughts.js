@@ -9,12 +9,12 @@ import { lastAt } from './track.js';
 const curvePoints = 400;  // of a value over the leg, at most
 const valueText = /^(.{1,31}) = (-?[0-9.]+(?:e[-+]?[0-9]+)?)$/;
 
-// Unpacks bytes, or a text, that the program packed with gzip and base64.
+// Unpacks bytes, or a text, that the program packed with zlib and base64.
 export async function unpackBytes(packed) {
   const text = atob(packed);
   const bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 export const unpackText = async (packed) => new TextDecoder().decode(await unpackBytes(packed));
