@@ -6,7 +6,6 @@
 #include "programs/league/publishing.hpp"
 #include "system/memory.hpp"
 #include "tournaments/league/health.hpp"
-#include "tournaments/publish/snapshot.hpp"
 
 #include <filesystem>
 
@@ -15,9 +14,7 @@ namespace mirocup::league {
 namespace {
 
 struct PublishOptions : LeagueOptions {
-  std::string output;
-  std::string through;  // the last round shown; "": all rounds
-  int pages = 0;        // the night whose pages were removed and are made again; 0: none
+  int pages = 0;  // the night whose pages were removed and are made again; 0: none
 };
 
 // Has the next pages of the league include those of a night again.
@@ -31,26 +28,10 @@ Result<void> restore_night(system::Files& files, const LeagueStore& store, int n
 Result<int> run_publish(system::Files& files, const LeagueStore& store,
                         const PublishOptions& options) {
   if (options.pages > 0) MIROCUP_TRY_VOID(restore_night(files, store, options.pages));
-  // site/ has what is released, so the pages of other rounds go to another folder.
-  const Folder folder = options.through.empty() ? store.folder() : Folder{options.output};
-  if (!options.through.empty() && files.exists(folder.config()))
-    return fail(Errc::input, "--output " + folder.path +
-                                 " is a league, whose records and pages would be replaced: name a "
-                                 "folder for the pages alone");
-  MIROCUP_TRY(const int published,
-              options.through.empty()
-                  ? publish_league(files, folder)
-                  : say_gaps(files, store).and_then([&](const Gaps& found) -> Result<int> {
-                      if (!found.lost.empty()) return exit_no;
-                      MIROCUP_TRY(const auto shown,
-                                  state_through(store.state(), store.journal(), options.through));
-                      MIROCUP_TRY_VOID(copy_records(files, store.folder(), shown, folder));
-                      return publish_site(files, folder, shown, {});
-                    }));
+  const std::string page = store.folder().site() + "/index.html";
+  MIROCUP_TRY(const int published, publish_league(files, store.folder()));
   if (published == exit_yes)
-    std::cout
-        << std::filesystem::absolute(folder.site() + "/index.html").lexically_normal().string()
-        << '\n';
+    std::cout << std::filesystem::absolute(page).lexically_normal().string() << '\n';
   return published;
 }
 
@@ -92,20 +73,10 @@ void add_publish(system::Commands& commands) {
   const auto [command, o] =
       add_command(commands, on_own_league<run_publish, PublishOptions>, "publish", to_show,
                   "Make the pages", {"mirocup league publish spring"});
-  const system::Option output =
-      command.option("-o,--output DIR", o.output, "Folder for the pages that --through makes")
-          .checked("DIR", problem_with_folder);
-  const system::Option through =
-      command
-          .option("--through ROUND", o.through,
-                  "Leave out all rounds after this one: r3, or k1 of a knockout")
-          .needs(output);
-  output.needs(through);
   command
       .option("--pages NIGHT", o.pages,
               "Also make the pages of this night, which mirocup league prune removed")
-      .between(1, max_count)
-      .excludes(through);
+      .between(1, max_count);
 }
 
 void add_prune(system::Commands& commands) {

@@ -74,8 +74,8 @@ static std::vector<std::string> uncounted_records(const Overview& o) {
   return records;
 }
 
-Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState shown,
-                         const std::optional<Night>& night, int jobs) {
+static Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState shown,
+                                const std::optional<Night>& night, int jobs) {
   MIROCUP_TRY_VOID(open_site(files, folder));
   // What was told before may not be released any more.
   for (const std::string part : {"", "digests/"}) {

@@ -29,13 +29,9 @@ PageParts page_parts(system::Files& files);
 // Prints to standard error what journal and files of the league lack, and returns it.
 Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store);
 
-// Writes the pages of a state to the folder's site/; `jobs` replay pages are made at once (0: one
-// for each processor). Returns exit_no, and prints why, if a leg lacks its page or its numbers, or
-// if the pages lack a leg whose record differs from its replay.
-Result<int> publish_site(system::Files& files, const Folder& folder, LeagueState shown,
-                         const std::optional<Night>& night, int jobs = 0);
-
-// Opens the league and writes the pages of its released part. Returns exit_no if something is
+// Opens the league and writes the pages of its released part; `jobs` replay pages are made at once
+// (0: one for each processor). Returns exit_no, and prints why, if a leg lacks its page or its
+// numbers, if the pages lack a leg whose record differs from its replay, or if something else is
 // missing. If the journal has lost lines, the pages stay as they are.
 Result<int> publish_league(system::Files& files, const Folder& folder, int jobs = 0);
 

@@ -18,7 +18,7 @@ struct FixtureView {
 };
 
 struct RoundView {
-  std::string key;    // "r3", "k1", as in publish --through
+  std::string key;    // "r3", "k1", as in release --through
   std::string title;  // "Round 3", "Semi-final"
   std::vector<FixtureView> fixtures;
   int legs = 0;

@@ -2,7 +2,6 @@
 #include "tournaments/publish/snapshot.hpp"
 
 #include "record/json_fields.hpp"
-#include "record/match_record.hpp"
 #include "system/number_of.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/decisions.hpp"
@@ -136,32 +135,6 @@ Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& jou
       return legs.contains({fixture, leg});
     });
   });
-}
-
-Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
-                          const Folder& to) {
-  if (auto made = files.make_folder(to.path + "/records"); !made) return made;
-  std::set<std::string> copies;
-  for (const FixtureState& f : state.fixtures) {
-    for (const LegState& leg : f.legs) {
-      if (!leg.played || leg.played->record.empty()) continue;
-      const std::string& record = leg.played->record;
-      for (const std::string& name : {record, record::replay_path_of(record)}) {
-        MIROCUP_TRY(const auto bytes,
-                    files.read(from.path + "/" + name, {.max_size = system::size_limit::replay}));
-        MIROCUP_TRY_VOID(files.update(to.path + "/" + name, bytes));  // else its page is made again
-        copies.insert(name);
-      }
-    }
-  }
-  // Records of rounds that were shown there before, and are not any more, are removed.
-  MIROCUP_TRY(const auto names, files.names_in(to.path + "/records"));
-  for (const std::string& name : names) {
-    const std::string record = "records/" + name;
-    if (copies.contains(record) || !files.exists(from.path + "/" + record)) continue;
-    if (auto removed = files.remove(to.path + "/" + record); !removed) return removed;
-  }
-  return {};
 }
 
 }  // namespace mirocup::league

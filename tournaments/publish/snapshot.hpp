@@ -5,7 +5,7 @@
 #pragma once
 
 #include "tournaments/journal/journal.hpp"
-#include "tournaments/league/folder.hpp"
+#include "tournaments/league/league_state.hpp"
 #include "tournaments/publish/leg_facts.hpp"
 
 #include <set>
@@ -59,10 +59,5 @@ SeenState seen_by(Viewer viewer, const LeagueState& whole, const LeagueState& re
 // Like state_through(), but of the given round only the legs in `legs` count as played.
 Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
                                     const std::string& round, const std::set<LegName>& legs);
-
-// Copies the records and replay files of the legs of `state` to another folder. Removes records of
-// other legs of the league from that folder.
-Result<void> copy_records(system::Files& files, const Folder& from, const LeagueState& state,
-                          const Folder& to);
 
 }  // namespace mirocup::league

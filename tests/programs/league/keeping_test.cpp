@@ -136,8 +136,6 @@ class LostLines : public testing::Test {
     expect_said(league("decisions", folder_), 0, said);
     expect_said(league("grades", folder_), 1, said);
     expect_said(league("publish", folder_), 1, said);
-    expect_said(league("publish", folder_, {"--through", "r1", "-o", temporary_ / "shown"}), 1,
-                said);
     expect_said(league("export", folder_, {"-o", temporary_ / "export"}), 1, said);
     fs::remove_all(temporary_ / "copy");
     expect_said(league("backup", folder_, {temporary_ / "copy"}), 1, said);

@@ -154,20 +154,6 @@ TEST(League, RefusesBadTeamsAndMissingFolders) {
   expect_exit(2, run(league("status", "")), "DIR: \"\" names no folder");
 }
 
-TEST(League, IsNotPublishedIntoAnotherLeague) {
-  const TemporaryFolder temporary;
-  for (const char* name : {"spring", "autumn"}) {
-    init_league(temporary / name, {"a=house:chaser", "b=house:idle"});
-    ASSERT_EQ(run(league("start", temporary / name)).exit_code, 0);
-  }
-  const auto before = site_of(temporary / "autumn");
-  expect_exit(
-      2,
-      run(league("publish", temporary / "spring", {"--through", "r1", "-o", temporary / "autumn"})),
-      "autumn is a league");
-  EXPECT_EQ(site_of(temporary / "autumn"), before);
-}
-
 // Pages of a round that was shown by mistake used to stay under names that everybody can guess.
 TEST(League, KeepsNoPagesOfRoundsThatAreNotReleasedAnyMore) {
   const TemporaryFolder temporary;

@@ -148,10 +148,6 @@ TEST_F(LeagueOfAStranger, IsNotWrittenThroughLinksOfItsCopies) {
     fs::remove_all(copy + "/records");  // they are copied once
     expect_refused(part, "backup", {copy}, copy);
   }
-  const std::string shown = temporary_ / "shown";
-  fs::create_directory(shown);
-  for (const char* part : {"records", "site", "site/replays", "site/teams"})
-    expect_refused(part, "publish", {"--through", "r1", "-o", shown}, shown);
 }
 
 // The way to the league, and to a folder that the host names, is the host's own.
@@ -161,10 +157,8 @@ TEST_F(LeagueOfAStranger, MayBeReachedByALink) {
   EXPECT_EQ(run(league("nightly", temporary_ / "way")).exit_code, 0);
   fs::create_directory(temporary_ / "real");
   fs::create_directory_symlink(temporary_ / "real", temporary_ / "shown");
-  const auto more = {std::string("--through"), std::string("r1"), std::string("-o"),
-                     temporary_ / "shown"};
-  EXPECT_EQ(run(league("publish", league_, more)).exit_code, 0);
-  EXPECT_TRUE(fs::exists(temporary_ / "real/site/index.html"));
+  EXPECT_EQ(run(league("export", league_, {"-o", temporary_ / "shown"})).exit_code, 0);
+  EXPECT_TRUE(fs::exists(temporary_ / "real/table.json"));
 }
 
 TEST_F(LeagueOfAStranger, LosesOnlyPagesThatPublishingMakes) {

@@ -346,7 +346,6 @@ TEST_F(Term, OfThreeWeeks) {
   EXPECT_TRUE(contains(page("index.html"), "Zoë &amp; Co"));
   EXPECT_TRUE(contains(page("teams/alpha.html"), "fill=\"#c03a2b\""));
   expect_digests(folder_);
-  ask("publish", {"--through", "r1", "-o", temporary_ / "first"});
   const int legs = count_kind(folder_, "leg");
   EXPECT_TRUE(contains(ask("nightly").err, "night 1 continues"));
   EXPECT_EQ(count_kind(folder_, "leg"), legs) << "the same night again plays nothing";
@@ -372,8 +371,6 @@ TEST_F(Term, OfThreeWeeks) {
   EXPECT_EQ(of_eta["new_entry"], true);
   EXPECT_TRUE(of_eta["strength_before"].is_null());
   EXPECT_TRUE(contains(page("index.html"), "Étoile"));
-  ask("publish", {"--through", "r1", "-o", temporary_ / "again"});
-  expect_same_site(temporary_ / "again", temporary_ / "first");
 
   // An appeal, decided wrongly, taken back, and decided again.
   std::string fixture;
