@@ -19,9 +19,8 @@ struct TeamOptions : LeagueOptions {
   std::string team;
   std::optional<std::string> display;
   std::vector<std::string> members;
-  std::optional<std::string> colour;  // "#c03a2b"; "": none
-  std::string csv;                    // a class list; "": one team
-  std::string columns;                // of the class list
+  std::string csv;      // a class list; "": one team
+  std::string columns;  // of the class list
   bool is_dry_run = false;
   bool is_removed = false;  // a team that was a mistake
 };
@@ -29,7 +28,7 @@ struct TeamOptions : LeagueOptions {
 void print(const std::string& team, const People& one) {
   std::cout << team << ": " << (one.display.empty() ? team : one.display);
   if (!one.members.empty()) std::cout << " (" << system::joined(one.members, "; ") << ")";
-  std::cout << (one.colour.empty() ? "" : " ") << one.colour << '\n';
+  std::cout << '\n';
 }
 
 // Takes a class list: its teams, and who is in them.
@@ -129,8 +128,6 @@ Result<int> run_team(const TeamOptions& options) {
         !other.empty())
       why = "people would take \"" + one.display + "\" for " + other;
   }
-  if (const auto set = set_colour(one, options.colour.value_or(one.colour)); why.empty() && !set)
-    why = set.error().what;
   if (!why.empty()) return fail(Errc::input, team + ": " + why);
   MIROCUP_TRY_VOID(write_people(disk, folder, people));
   print(team, one);
@@ -149,17 +146,15 @@ void add_team(system::Commands& commands) {
   command.option("--display NAME", o.display, "Display name, of any letters; \"\": none");
   command.option("--member NAME", o.members,
                  "Member of the team; may be given once for each member; \"\": no members");
-  command.option("--colour COLOUR", o.colour,
-                 "Colour of the mark beside the team's name on pages, as #c03a2b; \"\": none");
   const system::Option csv =
       command.option("--csv FILE", o.csv,
                      "Make the teams of this class list: a line for each team (team, display, "
-                     "members with ; between them, colour, further columns for the grades), or for "
+                     "members with ; between them, further columns for the grades), or for "
                      "each student, as Moodle, Artemis and Excel write it");
   command
       .option("--columns KEY=HEADING,...", o.columns,
               "Headings of columns that mirocup does not know; KEY is team, display, members, "
-              "first, last, mail, number or colour, as in team=Gruppe,mail=Kontakt")
+              "first, last, mail or number, as in team=Gruppe,mail=Kontakt")
       .needs(csv);
   command
       .flag("--dry-run", o.is_dry_run, "Print what the class list would change, and change nothing")

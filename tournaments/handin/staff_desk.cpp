@@ -70,7 +70,7 @@ Json forms_values(const LeagueState& state, const StaffDesk::Shown& shown,
   }
   const std::string sent = value_of(given, "act");
   for (const std::string act : {"rule", "award", "void", "pause", "resume", "withdraw", "freeze",
-                                "extend", "release", "close", "undo", "people", "colour"}) {
+                                "extend", "release", "close", "undo", "people"}) {
     const bool is_meant = sent.empty() || sent == act;
     const bool is_on_leg = act == "rule" || act == "award" || act == "void";
     const bool is_open =
@@ -202,10 +202,6 @@ Result<void> set_people(system::Files& files, const LeagueStore& store, const Fo
   MIROCUP_TRY(const auto lock, system::FileLock::acquire(store.folder().lock()));
   MIROCUP_TRY(auto people, read_people(files, store.folder()));
   People& one = people[team];
-  if (value_of(form, "act") == "colour") {
-    if (auto set = set_colour(one, value_of(form, "colour")); !set) return set;
-    return write_people(files, store.folder(), people);
-  }
   one.display = value_of(form, "display");
   one.members = members_of(value_of(form, "members"));
   if (const std::string why = objection_to(one); !why.empty()) return fail(Errc::input, why);
@@ -308,7 +304,7 @@ web::Reply StaffDesk::act(const Visitor& visitor, const Form& values,
   const auto refused = [&](const std::string& why) {
     return page(visitor, {.said = why, .status = 400, .given = values, .root = root});
   };
-  if (act == "people" || act == "colour" || act == "notice") {
+  if (act == "people" || act == "notice") {
     if (const auto set = act == "notice" ? set_notice(files_, folder_, value_of(values, "text"))
                                          : set_people(files_, *store, values);
         !set)

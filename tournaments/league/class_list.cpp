@@ -104,7 +104,6 @@ class ClassListReader {
     MIROCUP_TRY_VOID(name_fields(names_, words));
     list_.has_display = has("display");
     list_.has_members = has("members") || has("first") || has("last");
-    list_.has_colour = has("colour");
     for (const std::string& name : names_) {
       if (name.empty()) return fail(Errc::input, "a column has no name");
       if (std::count(names_.begin(), names_.end(), name) > 1)
@@ -112,7 +111,7 @@ class ClassListReader {
       const std::string hidden = system::hidden_character(name);
       if (system::printable(name) != name || !hidden.empty() || name.size() > max_cell)
         return fail(Errc::input, system::in_quotes(name) + " is no name of a column");
-      constexpr std::string_view fields = " team display members first last colour ";
+      constexpr std::string_view fields = " team display members first last ";
       if (fields.find(' ' + name + ' ') == std::string_view::npos) list_.kept.push_back(name);
     }
     if (!has("team")) {
@@ -172,7 +171,6 @@ class ClassListReader {
     const bool is_whole = has("first") && has("last");
     people.members = members_of(cell(row, "first") + ' ' +
                                 (is_whole ? "" : cell(row, "members") + ' ') + cell(row, "last"));
-    MIROCUP_TRY_VOID(set_colour(people, cell(row, "colour")));
     for (const std::string& name : list_.kept) {
       std::string text = system::replaced(cell(row, name), "\n", ";");
       // So a spreadsheet keeps the zeros of a number: ="0042".
@@ -307,7 +305,6 @@ Result<std::vector<std::string>> ClassList::merge_into(PeopleOfTeams& people,
     People& one = people[row.team];
     if (has_display || one.display.empty()) one.display = row.people.display;
     if (has_members) one.members = row.people.members;
-    if (has_colour) one.colour = row.people.colour;
     one.more = row.people.more;
     if (state.find_team(row.team)) continue;
     joining.push_back(row.team);

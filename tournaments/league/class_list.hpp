@@ -24,7 +24,6 @@ struct ClassList {
   std::vector<ClassListRow> rows;
   bool has_display = false;
   bool has_members = false;
-  bool has_colour = false;
   std::vector<std::string> kept;  // headings of the further columns
   std::size_t members = 0;        // of all teams
   std::size_t mails = 0;

@@ -13,7 +13,7 @@ namespace {
 
 // Headings in plain letters between blanks; of two, the first one counts. A line begins with the
 // name of its field.
-constexpr std::array<std::string_view, 8> known{
+constexpr std::array<std::string_view, 7> known{
     " team teamname group groups groupname gruppe gruppen gruppenname projectgroup projektgruppe "
     "mannschaft ",
     " display displayname anzeigename ",
@@ -25,7 +25,6 @@ constexpr std::array<std::string_view, 8> known{
     " mail email emailaddress mailaddress emailadresse mailadresse emails ",
     " number idnumber idnummer sid studentid studentnumber matriculation matriculationnumber "
     "registrationnumber matrikel matrikelnummer matrikelnr matrnr id ",
-    " colour color farbe ",
 };
 
 }  // namespace
@@ -40,12 +39,12 @@ Result<void> name_fields(std::vector<std::string>& headings, const std::string& 
     if (named == headings.end() || heading_of(field, {field}).empty()) {
       return fail(Errc::input, "--columns " + pair +
                                    ": KEY=HEADING is expected; a key is team, display, members, "
-                                   "first, last, mail, number or colour, a heading " +
+                                   "first, last, mail or number, a heading " +
                                    system::joined(headings, " or "));
     }
     *named = field;
   }
-  for (const std::string field : {"team", "display", "members", "first", "last", "colour"}) {
+  for (const std::string field : {"team", "display", "members", "first", "last"}) {
     const std::string heading = heading_of(field, headings);
     if (!heading.empty()) std::replace(headings.begin(), headings.end(), heading, field);
   }

@@ -2,7 +2,7 @@
 //
 // Headings of a class list's columns: those that Moodle, Artemis and people write, in English and
 // German, or those that a person names. A field is what a column says: "team", "display",
-// "members", "first", "last" (parts of a student's name), "mail", "number" or "colour".
+// "members", "first", "last" (parts of a student's name), "mail" or "number".
 #pragma once
 
 #include "tournaments/league/people.hpp"

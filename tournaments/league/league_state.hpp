@@ -117,10 +117,6 @@ struct LeagueState {
   // The names that pages show, in the order of the teams; empty: the names in league.json.
   std::vector<std::string> shown_names;
 
-  // The colours of the marks beside the names, "#c03a2b", by the team's name in league.json. A team
-  // without a colour has no mark.
-  std::map<std::string, std::string> shown_colours;
-
   // The nights whose legs no longer have replay pages. Their records stay.
   std::set<int> pruned_nights;
 

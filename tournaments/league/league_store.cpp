@@ -42,7 +42,6 @@ Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::
   MIROCUP_TRY(auto state, state_from_journal(std::move(file), journal));
   MIROCUP_TRY(const auto people, read_people(files, folder));
   state.shown_names = shown_names(state.file, people);
-  state.shown_colours = shown_colours(state.file, people);
   MIROCUP_TRY(state.pruned_nights, read_pruned_nights(files, folder));
   MIROCUP_TRY(state.notice, read_notice(files, folder));
   LeagueStore store(std::move(folder), std::move(journal), std::move(state), std::move(clock));
@@ -91,7 +90,6 @@ Result<void> LeagueStore::write_line(const Event& event) {
 Result<void> LeagueStore::rebuild() {
   MIROCUP_TRY(auto state, state_from_journal(state_.file, journal_));
   state.shown_names = std::move(state_.shown_names);
-  state.shown_colours = std::move(state_.shown_colours);
   state.pruned_nights = std::move(state_.pruned_nights);
   state.notice = std::move(state_.notice);
   state_ = std::move(state);

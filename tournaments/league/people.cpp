@@ -25,16 +25,9 @@ std::string objection_to_display(const std::string& text) {
   return "";
 }
 
-std::string objection_to_colour(const std::string& text) {
-  const bool is_one = text.size() == 7 && text[0] == '#' &&
-                      text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  return is_one ? "" : "a colour is '#' and six hexadecimal digits, as in #c03a2b";
-}
-
-std::string read_text(const record::JsonReader& json,
-                      std::string (*objection)(const std::string&)) {
+std::string read_name(const record::JsonReader& json) {
   const std::string text = json.text();
-  if (const std::string why = objection(text); !why.empty()) json.complain(why);
+  if (const std::string why = objection_to_display(text); !why.empty()) json.complain(why);
   return text;
 }
 
@@ -43,17 +36,16 @@ PeopleOfTeams read_teams_file(const record::JsonReader& json) {
   json.expect_schema(people_schema);
   PeopleOfTeams people;
   for (const record::JsonReader& team : json.at("teams").elements(0, 1000)) {
-    team.expect_object({"team", "display", "members", "colour", "more"});
+    team.expect_object({"team", "display", "members", "more"});
     People& one = people[team.at("team").text()];
-    if (team.has("display")) one.display = read_text(team.at("display"), objection_to_display);
-    if (team.has("colour")) one.colour = read_text(team.at("colour"), objection_to_colour);
+    if (team.has("display")) one.display = read_name(team.at("display"));
     if (team.has("more")) {
       for (const auto& [column, value] : team.at("more").members())
         one.more.emplace_back(column, value.text());
     }
     if (!team.has("members")) continue;
     for (const record::JsonReader& member : team.at("members").elements(0, max_members))
-      one.members.push_back(read_text(member, objection_to_display));
+      one.members.push_back(read_name(member));
   }
   return people;
 }
@@ -118,13 +110,6 @@ std::string looks_like(const PeopleOfTeams& people, const LeagueState& state,
   return "";
 }
 
-Result<void> set_colour(People& one, const std::string& colour) {
-  if (const std::string why = colour.empty() ? "" : objection_to_colour(colour); !why.empty())
-    return fail(Errc::input, why);
-  one.colour = colour;
-  return {};
-}
-
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder) {
   MIROCUP_TRY(const auto text,
               files.read_if_there(folder.people(), {.max_size = system::size_limit::league_file}));
@@ -138,22 +123,11 @@ Result<void> write_people(system::Files& files, const Folder& folder, const Peop
     Json json{{"team", team}};
     if (!one.display.empty()) json["display"] = one.display;
     if (!one.members.empty()) json["members"] = one.members;
-    if (!one.colour.empty()) json["colour"] = one.colour;
     for (const auto& [column, value] : one.more) json["more"][column] = value;
     teams.push_back(json);
   }
   const Json json{{"schema", people_schema}, {"teams", teams}};
   return files.write(folder.people(), record::json_text(json, 1) + "\n", system::Readers::owner);
-}
-
-std::map<std::string, std::string> shown_colours(const LeagueFile& file,
-                                                 const PeopleOfTeams& people) {
-  std::map<std::string, std::string> colours;
-  if (file.is_anonymous) return colours;
-  for (const auto& [team, one] : people) {
-    if (!one.colour.empty()) colours[team] = one.colour;
-  }
-  return colours;
 }
 
 // Two teams of one name could not be told apart: then it is followed by their own.

@@ -17,7 +17,6 @@ namespace mirocup::league {
 struct People {
   std::string display;               // any letters: "Zoë & Co"; "": the team's name
   std::vector<std::string> members;  // names or matriculation numbers
-  std::string colour = {};           // of the mark beside the team's name, "#c03a2b"; "": no mark
   std::vector<std::pair<std::string, std::string>> more = {};  // further columns of the class list
 
   bool operator==(const People&) const = default;
@@ -43,17 +42,10 @@ std::vector<std::string> members_of(const std::string& text);
 // one.
 std::vector<std::string> parts_of(const std::string& cell);
 
-// Sets the colour of a team's mark; "" removes the mark. Errors: Errc::input.
-Result<void> set_colour(People& one, const std::string& colour);
-
 // Reads and writes teams.json; a league without teams.json has no display names. Errors:
 // Errc::input.
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder);
 Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people);
-
-// Returns the colours that pages show, by the team's name in the league.
-std::map<std::string, std::string> shown_colours(const LeagueFile& file,
-                                                 const PeopleOfTeams& people);
 
 // Returns the names that pages show, in the order of the teams; empty if pages show the teams' own
 // names.

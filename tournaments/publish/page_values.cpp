@@ -67,7 +67,6 @@ Json page_values(const Overview& o, const std::string& root, const std::string& 
   const std::string& league = o.state.file.title;
   return {{"root", root},
           {"league", league},
-          {"mark", ""},
           {"heading", title.empty() ? league : title},
           {"page_title", title.empty() ? league : title + " · " + league},
           {"has_knockout", o.state.file.format.has_knockout()},
@@ -75,19 +74,8 @@ Json page_values(const Overview& o, const std::string& root, const std::string& 
           {"legs", o.state.legs()}};
 }
 
-// A picture instead of a style, which the pages' policy forbids. A line around it shows a colour
-// that is that of the page.
-std::string mark_of(const LeagueState& state, int team) {
-  const auto colour = state.shown_colours.find(state.name(team));
-  if (colour == state.shown_colours.end()) return "";
-  return R"(<svg class="mark" viewBox="0 0 16 12" width="16" height="12" aria-hidden="true">)"
-         R"(<circle cx="6" cy="6" r="5" fill=")" +
-         colour->second + R"(" stroke="#888"/></svg>)";
-}
-
 Json team_values(const Overview& o, int team, const std::string& root) {
   return {{"name", o.state.shown_name(team)},
-          {"mark", mark_of(o.state, team)},
           {"page", root + team_page_of(o.state.name(team))},
           {"index", team}};
 }

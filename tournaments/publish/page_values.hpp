@@ -21,11 +21,7 @@ std::string filled_page(std::string_view name, const Json& values);
 // as its title.
 Json page_values(const Overview& overview, const std::string& root, const std::string& title);
 
-// Returns the mark of a team's colour as markup for the place before its name; "" if the team has
-// no colour.
-std::string mark_of(const LeagueState& state, int team);
-
-// Returns the values of a team: {name, mark, page, index}.
+// Returns the values of a team: {name, page, index}.
 Json team_values(const Overview& overview, int team, const std::string& root);
 
 // Returns the values of fixture.html: {id, home, away, legs [{score, page, record}], open [],

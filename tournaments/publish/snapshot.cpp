@@ -49,7 +49,6 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
                                 Shows shows) {
   LeagueState state = new_league(whole.file);
   state.shown_names = whole.shown_names;
-  state.shown_colours = whole.shown_colours;
   state.pruned_nights = whole.pruned_nights;
   state.notice = whole.notice;
   const std::set<int> undone = undone_lines(journal, journal.lines().size());

@@ -129,7 +129,6 @@ std::string team_html(const SiteContent& c, int team) {
                                 [team](const TableRow& r) { return r.team == team; });
   const TeamState& now = o.state.teams[team];
   Json values = page_values(o, "../", o.state.shown_name(team));
-  values["mark"] = mark_of(o.state, team);
   values["rank"] = row->rank > 0 ? Json(row->rank) : Json(false);
   values["teams"] =
       std::count_if(o.table.begin(), o.table.end(), [](const TableRow& r) { return r.rank > 0; });

@@ -323,8 +323,6 @@ TEST_F(Term, OfThreeWeeks) {
   write_file(temporary_ / "class.csv",
              "team,display,members\nalpha,Zoë & Co,Zoë; Max\nbeta,Löwen,Ada\n");
   ask("team", {"--csv", temporary_ / "class.csv"});
-  ask("team", {"alpha", "--colour", "#c03a2b"});
-  ask("team", {"beta", "--colour", "red"}, 2);
   ask("submit", {"alpha", house("chaser")});
   ask("submit", {"beta", house("keeper")});
   ask("submit", {"gamma", house("navigator")});
@@ -344,7 +342,6 @@ TEST_F(Term, OfThreeWeeks) {
   EXPECT_TRUE(contains(first, "alpha and epsilon handed in the same file")) << first;
   EXPECT_TRUE(contains(first, "gamma: entry 2 was not accepted")) << first;
   EXPECT_TRUE(contains(page("index.html"), "Zoë &amp; Co"));
-  EXPECT_TRUE(contains(page("teams/alpha.html"), "fill=\"#c03a2b\""));
   expect_digests(folder_);
   const int legs = count_kind(folder_, "leg");
   EXPECT_TRUE(contains(ask("nightly").err, "night 1 continues"));

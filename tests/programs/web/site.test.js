@@ -57,8 +57,6 @@ before(() => {
   league = play('spring', names, 'double_round_robin', 6);
   cup = play('cup', names.slice(0, 4), 'knockout');
   run('league', 'rule', league, 'r1-f1', '--leg', '1', '--score', '9:0', '--reason', '<i>glue</i>', '--by', 'H');
-  run('league', 'team', league, names[0], '--colour', '#c03a2b');
-  run('league', 'team', league, names[1], '--colour', '#ffffff');
   run('league', 'publish', league);
   nightly = playNight();
 });
@@ -75,16 +73,6 @@ test('axe finds nothing, and nothing sticks out, at any width and in any scheme'
       assert.equal(await shown.evaluate(() => document.documentElement.scrollWidth > innerWidth), false, how);
       assert.deepEqual(shown.problems, [], how);
     });
-  }
-});
-
-test('the colour of a team stands beside its name', async () => {
-  for (const [path, most] of [['index.html', 30], [`teams/${names[0]}.html`, 30], ['rounds/r1.html', 4], ['replays/r2-f1-1-1.html', 2]]) {
-    const shown = await openPage(page(league, path));
-    const colours = await shown.locator('svg.mark circle').evaluateAll((marks) => marks.map((mark) => getComputedStyle(mark).fill));
-    assert.ok(colours.length >= 1 && colours.length <= most, `${path}: ${colours.length} marks`);
-    assert.ok(colours.every((colour) => ['rgb(192, 58, 43)', 'rgb(255, 255, 255)'].includes(colour)), `${path}: ${colours}`);
-    await shown.close();
   }
 });
 

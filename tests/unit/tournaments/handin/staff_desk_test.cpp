@@ -181,13 +181,6 @@ TEST_F(StaffPage, NamesPeopleInAnyLettersAndEscapesThem) {
   EXPECT_EQ(people->at("alpha").members, (std::vector<std::string>{"Ada", "Max"}));
   EXPECT_EQ(act("act=people&team=alpha&display=%0A").status, 400);
   EXPECT_EQ(act("act=people&team=nobody&display=x").status, 400);
-  EXPECT_EQ(act("act=colour&team=alpha&colour=%23c03a2b").status, 303);
-  EXPECT_EQ(act("act=colour&team=alpha&colour=%22%2F%3E%3Cb%3E").status, 400);
-  EXPECT_EQ(act("act=colour&team=alpha&colour=red").status, 400);
-  const auto coloured = read_people(disk_, folder_);
-  ASSERT_TRUE(coloured);
-  EXPECT_EQ(coloured->at("alpha").colour, "#c03a2b");
-  EXPECT_EQ(coloured->at("alpha").members, people->at("alpha").members) << "its members stay";
 }
 
 // Catches display names on the pages of an anonymous league, and two teams of one name.
@@ -198,8 +191,6 @@ TEST(People, AreShownUnlessTheLeagueIsAnonymous) {
   EXPECT_EQ(shown_names(file, people), (std::vector<std::string>{"Löwen (a)", "Löwen (b)", "c"}));
   file.is_anonymous = true;
   EXPECT_TRUE(shown_names(file, people).empty());
-  EXPECT_TRUE(
-      shown_colours(file, {{"a", {.display = "", .members = {}, .colour = "#c03a2b"}}}).empty());
 }
 
 }  // namespace
