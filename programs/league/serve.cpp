@@ -50,7 +50,6 @@ Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOpt
   portal.has_written = of_league(&ServedLeague::note_own_write);
   portal.digest = of_league(&ServedLeague::digest_of);
   portal.replay = of_league(&ServedLeague::own_replay);
-  portal.statistics = of_league(&ServedLeague::statistics_of);
   portal.sheets = of_league(&ServedLeague::sheets_of);
   portal.shown_name = of_league(&ServedLeague::shown_name_of);
   portal.time_in_words = of_league(&ServedLeague::time_in_words);

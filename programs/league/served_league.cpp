@@ -174,7 +174,6 @@ void ServedLeague::begin_pages() {
   lines_of_pages_ = lines_;
   version_of_pages_ = teams_version_;
   pages_.clear();
-  statistics_.clear();
   // What cannot be shown alone, such as a round that does not exist any more, is not shown at all.
   auto released = released_state(store_.state(), store_.journal());
   LeagueState shown = released ? std::move(*released) : unplanned_league(store_.state().file);
@@ -456,19 +455,6 @@ Json ServedLeague::sheets_of(const std::string& team) {
   const std::lock_guard lock(mutex_);
   poll();
   return sheets_of_team(files_, store_.folder(), store_.state().file, team).value_or(Json());
-}
-
-std::string ServedLeague::statistics_of(const std::string& team) {
-  const std::lock_guard lock(mutex_);
-  poll();
-  if (!store_.state().is_started) return "";
-  begin_pages();
-  const auto index = site_->state().find_team(team);
-  if (!index) return "";
-  const auto known = statistics_.find(*index);
-  if (known != statistics_.end()) return known->second;
-  std::string html = team_statistics_html(site_->overview(), *index, "");
-  return statistics_[*index] = std::move(html);
 }
 
 std::optional<std::string> ServedLeague::replay_of(const std::string& record,

@@ -75,9 +75,6 @@ class ServedLeague {
   // Returns a time of the journal in the league's time zone: shown_time().
   std::string time_in_words(const std::string& utc);
 
-  // Returns the football statistics of a team, HTML; "" if the team has no statistics.
-  std::string statistics_of(const std::string& team);
-
   // Returns sheets_of_team(); null if sheets.json cannot be read, which the staff page says.
   Json sheets_of(const std::string& team);
 
@@ -135,7 +132,6 @@ class ServedLeague {
   std::string shown_;           // differs after each change of what the site shows
   std::string said_;            // the texts of teams.json and notice.txt
   KnownLegs legs_;
-  std::map<int, std::string> statistics_;      // HTML of teams whose statistics were requested
   std::map<std::string, web::Page> pages_;     // pages of site_ that were asked for, by path
   std::set<std::string> records_;              // names of records without .json
   std::vector<web::WorkbenchFile> workbench_;  // empty before the first request

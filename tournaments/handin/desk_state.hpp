@@ -53,9 +53,6 @@ struct PortalOptions {
   std::function<std::optional<std::string>(const std::string& name, const record::Whose& whose,
                                            const std::string& links)>
       replay = {};
-  // Returns the football statistics of a team as part of a page, HTML; "" if the team has no
-  // statistics.
-  std::function<std::string(const std::string& team)> statistics;
   // Returns sheets_of_team().
   std::function<Json(const std::string& team)> sheets = {};
   // Returns the name by which people know a team.

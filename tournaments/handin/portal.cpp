@@ -337,7 +337,6 @@ web::Reply Portal::team_page(const std::string& team, int before) {
     desk.is_pinned = desk.playing > 0 && desk.playing == hand_ins.pinned(team);
   }
   desk.mark = released_mark(team);
-  desk.statistics = state_.options.statistics(team);
   if (state_.options.sheets) desk.sheets = state_.options.sheets(team);
   const HandInTerms terms = state_.terms_of(team);
   desk.deadline = terms.deadline;

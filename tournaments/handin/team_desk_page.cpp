@@ -48,34 +48,6 @@ Json entries_values(const TeamDesk& desk) {
   return rows;
 }
 
-// How many legs have their slowest tick in each range, so that a team sees how near it comes to its
-// limits. Null if the time of no leg is known.
-Json times_values(const Json& legs) {
-  struct Range {
-    const char* name;
-    double up_to;  // ms
-  };
-  constexpr Range ranges[] = {{"up to 0.1 ms", 0.1}, {"0.1 to 0.3 ms", 0.3},
-                              {"0.3 to 1 ms", 1.0},  {"1 to 3 ms", 3.0},
-                              {"3 to 10 ms", 10.0},  {"above 10 ms", 1e300}};
-  std::vector<std::ptrdiff_t> counts;
-  double above = -1.0;
-  for (const Range& range : ranges) {
-    counts.push_back(std::count_if(legs.begin(), legs.end(), [&](const Json& leg) {
-      const double slowest = value_in(leg, "slowest_tick_ms", -1.0);
-      return slowest >= 0.0 && slowest > above && slowest <= range.up_to;
-    }));
-    above = range.up_to;
-  }
-  const auto most = *std::max_element(counts.begin(), counts.end());
-  if (most == 0) return {};
-  Json rows;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    rows.push_back(
-        {{"range", ranges[i].name}, {"count", counts[i]}, {"width", 160 * counts[i] / most}});
-  return {{"ranges", rows}};
-}
-
 std::string score_of(const Json& leg) {
   return number_text(leg, "goals", "%.0f") + " : " + number_text(leg, "against", "%.0f");
 }
@@ -163,8 +135,6 @@ std::string team_desk_page(const TeamDesk& desk) {
     opponents.push_back({{"team", name}, {"name", desk.shown_name(name)}});
   Json legs = desk.legs;
   for (Json& leg : legs) add_leg_cells(leg, desk);
-  Json all = desk.legs;
-  all.insert(all.end(), desk.friendlies.begin(), desk.friendlies.end());
   return desk_page(
       desk.shown_name(desk.team),
       filled_page("team_desk.html",
@@ -181,9 +151,9 @@ std::string team_desk_page(const TeamDesk& desk) {
                    {"may_play", desk.playing > 0},
                    {"opponents", opponents},
                    {"friendlies", latest_first(friendlies_values(desk), shown_friendlies)},
-                   {"times", times_values(all)},
                    {"legs", latest_first(legs, shown_legs)},
-                   {"statistics", desk.statistics}}));
+                   {"has_legs", !legs.empty()},
+                   {"team", desk.team}}));
 }
 
 }  // namespace mirocup::league

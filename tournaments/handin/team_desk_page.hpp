@@ -31,7 +31,6 @@ struct TeamDesk {
   bool is_pinned = false;              // that entry plays even if a later one is accepted
   Json mark;                           // Folder::released_mark(); null: none
   Json sheets;                         // sheets_of_team(); empty: none
-  std::string statistics;              // HTML
   std::string deadline;                // until when the team may hand in, UTC; "": no such time
   bool is_late = false;                // that time is past
   std::string digest;                  // HTML: the digest of the last night; "": none

@@ -78,7 +78,6 @@ class Desk : public testing::Test {
       return team == "alpha" ? legs_ : std::vector<OwnLeg>();
     };
     options.has_written = [this] { ++writes_; };
-    options.statistics = [](const std::string&) { return std::string(); };
     options.time_in_words = [](const std::string& utc) { return "<local> " + utc; };
     options.friendlies = {
         .teams = [this] { return entries_; },
