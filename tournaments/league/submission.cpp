@@ -106,30 +106,17 @@ Result<void> remove_check_files(system::Files& files, const Folder& folder, cons
   });
 }
 
-bool is_frozen(const LeagueState& state, const std::string& team, const std::string& now) {
-  const std::string& frozen = state.frozen_from(team);
-  return !frozen.empty() && now >= frozen;
-}
-
-// `minds_deadline`: false for a file that is kept although it is late.
-std::string objection_to(const LeagueState& state, const std::string& team, const std::string& now,
-                         bool minds_deadline) {
-  const bool takes_more = state.file.format.is_open_ended();
+// Returns why the league takes no entry of this team, whenever it comes; "" if it takes one.
+std::string objection_to(const LeagueState& state, const std::string& team) {
   const auto known = state.find_team(team);
   if (state.is_closed) return "the league is closed";
-  if (minds_deadline && is_frozen(state, team, now))
-    return "entries are frozen since " + shown_time(state.file, state.frozen_from(team));
-  if (state.is_started && !takes_more) return "entries are frozen: the league has started";
-  if (known && state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";
-  if (known && state.file.teams[*known].is_firasim())
+  if (state.is_started && !state.file.format.is_open_ended())
+    return "entries are frozen: the league has started";
+  if (!known) return why_not_join(state, team);
+  if (state.teams[*known].status == TeamStatus::withdrawn) return team + " has withdrawn";
+  if (state.file.teams[*known].is_firasim())
     return team + " plays with a program for FIRASim, not with a library";
   return "";
-}
-
-std::string why_not(const LeagueState& state, const std::string& team, const std::string& now,
-                    bool minds_deadline) {
-  const std::string why = objection_to(state, team, now, minds_deadline);
-  return !why.empty() || state.find_team(team) ? why : why_not_join(state, team);
 }
 
 // Returns the name of a team of the league that differs from this one in capitals only; "" if there
@@ -232,8 +219,7 @@ Result<void> follow_answer(system::Files& files, LeagueStore& store, const Hande
   if (!handed.is_kept()) return files.remove(folder.entry(team, handed.entry));
   if (handed.is_late || files.exists(folder.entry_file(team, handed.entry))) return {};
   const bool may_join = handed.may_play() && !handed.file.empty() &&
-                        !store.state().find_team(team) &&
-                        why_not(store.state(), team, utc_text(handed.at), false).empty();
+                        !store.state().find_team(team) && objection_to(store.state(), team).empty();
   if (may_join) {
     const bool is_house = !handed.is_network && handed.file.starts_with(TeamConfig::house_prefix);
     MIROCUP_TRY_VOID(enter_teams(files, store, {team},
@@ -298,16 +284,17 @@ Result<std::optional<Submission>> receive(system::Files& files, const Folder& fo
 
 }  // namespace
 
-std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now) {
-  return why_not(state, team, now, true);
-}
-
 HandInTerms hand_in_terms(const LeagueState& state, const std::string& team,
                           const std::string& now) {
-  const bool is_late = is_frozen(state, team, now) && why_not(state, team, now, false).empty();
-  return {.why_not = is_late ? "" : why_not_now(state, team, now),
-          .is_late = is_late,
-          .deadline = state.frozen_from(team)};
+  HandInTerms terms{.why_not = objection_to(state, team), .deadline = state.frozen_from(team)};
+  terms.is_late = terms.why_not.empty() && !terms.deadline.empty() && now >= terms.deadline;
+  return terms;
+}
+
+std::string why_not_now(const LeagueState& state, const std::string& team, const std::string& now) {
+  const HandInTerms terms = hand_in_terms(state, team, now);
+  return terms.is_late ? "entries are frozen since " + shown_time(state.file, terms.deadline)
+                       : terms.why_not;
 }
 
 std::string why_not_join(const LeagueState& state, const std::string& team) {
@@ -384,8 +371,7 @@ Result<std::string> Booking::take_late(Book& book, const std::string& team, int 
   const std::string name = "entry " + std::to_string(number) + " of " + team;
   if (entry == nullptr || !entry->is_late) return name + " did not come after the deadline";
   if (!entry->is_accepted()) return name + " was not accepted, or is not kept";
-  if (const std::string why = why_not(state(), team, utc_text(now), false); !why.empty())
-    return team + ": " + why;
+  if (const std::string why = objection_to(state(), team); !why.empty()) return team + ": " + why;
   MIROCUP_TRY_VOID(book.write(TakenLate{.team = team, .entry = number, .at = now}));
   MIROCUP_TRY_VOID(follow(book.hand_ins(), team));
   return "";
@@ -429,7 +415,8 @@ Result<Submission> Booking::conclude(Book& book, const std::string& team, int en
   const HandedIn& handed = *hand_ins.find(team, entry);
   Submission done = answer_to(handed, hand_ins, std::move(verdict));
   Answered answer{.team = team, .entry = entry, .plays = done.plays, .at = now};
-  const std::string why = why_not(state(), team, utc_text(handed.at), !handed.is_late);
+  const std::string why = handed.is_late ? objection_to(state(), team)
+                                         : why_not_now(state(), team, utc_text(handed.at));
   if (!why.empty()) {
     done = not_taken(team, why);
   } else {
