@@ -113,14 +113,12 @@ void ServedLeague::poll() {
   const bool has_written = has_written_.exchange(false);
   if (version_ > 0 && !has_written && now - polled_at_ < poll_interval) return;
   polled_at_ = now;
-  const Released release = store_.state().release;
+  const std::size_t decisions = store_.state().decisions.size();
   notice_edits();
   const std::size_t teams = store_.state().teams.size();
   (void)store_.refresh();
   if (store_.state().teams.size() != teams) open_again();  // with what people call the new ones
-  if (has_written || store_.state().release != release) {
-    pages_rest_until_ = {};
-  }
+  if (has_written || store_.state().decisions.size() != decisions) pages_rest_until_ = {};
   std::vector<LiveLeg> playing = find_live_legs();
   lines_ = store_.lines();
   if (version_ == 0 || playing != live_legs_) ++version_;

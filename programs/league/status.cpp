@@ -6,10 +6,10 @@
 #include "programs/league/publishing.hpp"
 #include "record/statistics/report.hpp"
 #include "tournaments/league/book.hpp"
+#include "tournaments/league/decision_view.hpp"
 #include "tournaments/league/health.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/league/sheets.hpp"
-#include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/site.hpp"
@@ -165,9 +165,10 @@ Result<int> run_decisions(system::Files& files, const LeagueStore& store,
     return exit_yes;
   }
   for (const DecisionView& d : decision_views(state)) {
-    std::cout << d.number << "  " << shown_time(state.file, d.at) << "  "
-              << (d.by.empty() ? "-" : system::printable(d.by)) << "  " << system::printable(d.what)
-              << "  \"" << system::printable(d.why) << '"'
+    const auto& [why, by, at] = d.signature;
+    std::cout << d.number << "  " << shown_time(state.file, at) << "  "
+              << (by.empty() ? "-" : system::printable(by)) << "  " << system::printable(d.what)
+              << "  \"" << system::printable(why) << '"'
               << (d.undoing.empty() ? "" : "  [" + d.undoing + "]") << '\n';
   }
   return exit_yes;

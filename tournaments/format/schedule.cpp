@@ -9,9 +9,12 @@
 namespace mirocup::league {
 
 std::string Fixture::id() const {
-  std::string text = part == Part::knockout ? "k" : "r";
-  text += std::to_string(round) + "-f" + std::to_string(number);
+  const std::string text = round_key() + "-f" + std::to_string(number);
   return part == Part::group ? "g" + std::to_string(group) + "-" + text : text;
+}
+
+std::string Fixture::round_key() const {
+  return (part == Part::knockout ? "k" : "r") + std::to_string(round);
 }
 
 std::vector<Fixture> round_robin(int teams) {

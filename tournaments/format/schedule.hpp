@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mirocup::league {
@@ -44,8 +45,12 @@ struct Fixture {
   TeamSource home_source{};  // Part::knockout only
   TeamSource away_source{};
 
-  // Returns the id, unique in the league: "r2-f1", "g3-r2-f1", "k2-f1".
+  // Returns the id, unique in the league: "r2-f1", "g3-r2-f1", "k2-f1"; and the name of the round
+  // for people, "r2" or "k2", which is that of all groups.
   std::string id() const;
+  std::string round_key() const;
+  // Orders rounds: those of a knockout come after all others.
+  std::pair<bool, int> round_order() const { return {part == Part::knockout, round}; }
 
   // True if both teams are known.
   bool has_both() const { return home >= 0 && away >= 0; }

@@ -7,6 +7,8 @@
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
+#include "tournaments/league/decision_view.hpp"
+#include "tournaments/league/decisions.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <algorithm>
@@ -20,6 +22,7 @@ constexpr std::size_t max_reason = 500;  // bytes
 constexpr std::size_t max_by = 60;       // bytes
 
 using Lines = std::vector<std::string>;
+constexpr const char* not_written = " (not written: a dry run)";
 
 // Returns the legs that an act on a fixture is about.
 Result<std::vector<int>> legs_of(const LeagueState& state, const Act& act) {
@@ -38,16 +41,6 @@ Result<std::vector<int>> legs_of(const LeagueState& state, const Act& act) {
   for (int leg = 1; leg <= needed; ++leg) legs.push_back(leg);
   if (legs.empty()) return fail(Errc::input, act.fixture + " has no leg to be decided");
   return legs;
-}
-
-std::string score_in_words(const HomeAway& score) {
-  return std::to_string(score.home) + " : " + std::to_string(score.away);
-}
-
-std::string before_in_words(const FixtureState& f, int leg) {
-  if (leg < 1 || leg > max_legs || !f.legs[leg - 1].played) return "was not decided";
-  const LegResult& result = f.legs[leg - 1].played->result;
-  return "was " + score_in_words({result.home_goals, result.away_goals});
 }
 
 // Reads "2:1".
@@ -125,19 +118,15 @@ class Deciding {
       case ActKind::withdraw:
         return withdraw();
       case ActKind::pause:
-        return write(signed_as(Paused{.team = act_.team, .why = {}, .by = {}}),
-                     act_.team + " is paused: no leg of it is started");
+        return write(signed_as(Paused{.team = act_.team}));
       case ActKind::resume:
-        return write(signed_as(Resumed{.team = act_.team, .why = {}, .by = {}}),
-                     act_.team + " plays on");
+        return write(signed_as(Resumed{.team = act_.team}));
       case ActKind::freeze:
         return freeze();
       case ActKind::release:
         return release();
       case ActKind::close:
-        return write(signed_as(Closed{.closing_round = act_.final, .why = {}, .by = {}}),
-                     "the league is closed: no night follows, and no entry is "
-                     "taken");
+        return write(signed_as(Closed{.closing_round = act_.final}));
       case ActKind::undo:
         return undo();
     }
@@ -149,65 +138,48 @@ class Deciding {
 
   template <class Decided>
   Decided signed_as(Decided event) const {
-    event.why = act_.reason;
-    event.by = act_.by;
-    event.at = utc_text(now_);
+    event.signature = {act_.reason, act_.by, utc_text(now_)};
     return event;
   }
 
-  Result<Lines> write(const Event& event, const std::string& line) {
+  // Returns a line about the event, as the list of decisions has it.
+  Result<Lines> write(const Event& event) {
     MIROCUP_TRY_VOID(validate(state(), event));
-    if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
+    std::string line = decision_in_words(state(), event);
+    if (const std::string before = before_in_words(state(), event); !before.empty())
+      line += " (" + before + ")";
+    if (act_.is_dry_run) return Lines{line + not_written};
     MIROCUP_TRY_VOID(store_.write(event));
     return Lines{line};
   }
 
-  Result<Lines> each_leg(const std::function<std::pair<Event, std::string>(int leg)>& decide) {
+  Result<Lines> each_leg(const std::function<Event(int leg)>& decide) {
     MIROCUP_TRY(const auto legs, legs_of(state(), act_));
     // All or none: the first that cannot be decided stops it before a line is written.
-    for (const int leg : legs) {
-      MIROCUP_TRY_VOID(validate(state(), decide(leg).first));
-    }
+    for (const int leg : legs) MIROCUP_TRY_VOID(validate(state(), decide(leg)));
     Lines lines;
     for (const int leg : legs) {
-      const auto [event, words] = decide(leg);
-      const auto index = state().find_fixture(act_.fixture);
-      const std::string before =
-          index ? before_in_words(state().fixtures[*index], leg) : std::string();
-      MIROCUP_TRY(const Lines written, write(event, act_.fixture + " leg " + std::to_string(leg) +
-                                                        ": " + words + " (" + before + ")"));
-      lines.insert(lines.end(), written.begin(), written.end());
+      MIROCUP_TRY(const Lines written, write(decide(leg)));
+      lines.push_back(written[0]);
     }
     return lines;
   }
 
   Result<Lines> rule(const HomeAway& score) {
-    return each_leg([&](int leg) -> std::pair<Event, std::string> {
-      const auto index = state().find_fixture(act_.fixture);
-      const Fixture& f = state().fixtures[*index].fixture;
-      const std::string words = f.has_both() ? state().name(f.home) + " " + score_in_words(score) +
-                                                   " " + state().name(f.away)
-                                             : score_in_words(score);
-      return {signed_as(
-                  Ruled{.fixture = act_.fixture, .leg = leg, .score = score, .why = {}, .by = {}}),
-              words};
+    return each_leg([&](int leg) {
+      return signed_as(Ruled{.fixture = act_.fixture, .leg = leg, .score = score});
     });
   }
 
   Result<Lines> annul() {
-    return each_leg([&](int leg) -> std::pair<Event, std::string> {
+    return each_leg([&](int leg) {
       const auto index = state().find_fixture(act_.fixture);
       const int attempt = leg <= max_legs ? state().fixtures[*index].legs[leg - 1].voids + 1 : 1;
-      return {signed_as(LegVoided{.fixture = act_.fixture,
-                                  .leg = leg,
-                                  .attempt = attempt,
-                                  .cause = VoidCause::ruling,
-                                  .why = {},
-                                  .by = {},
-                                  .at = {},
-                                  .has_new_seed = !act_.keeps_seed}),
-              std::string("void; league start plays it again with ") +
-                  (act_.keeps_seed ? "the same seed" : "another seed")};
+      return signed_as(LegVoided{.fixture = act_.fixture,
+                                 .leg = leg,
+                                 .attempt = attempt,
+                                 .cause = VoidCause::ruling,
+                                 .has_new_seed = !act_.keeps_seed});
     });
   }
 
@@ -221,11 +193,7 @@ class Deciding {
           },
           act_.team + " is out of the league, which has not started yet");
     }
-    return write(signed_as(Withdrawn{.team = act_.team, .results = *results, .why = {}, .by = {}}),
-                 act_.team + " has withdrawn; " +
-                     (*results == WithdrawnResults::keep
-                          ? "its results stay, its opponents win the legs that are left"
-                          : "its results count for nothing"));
+    return write(signed_as(Withdrawn{.team = act_.team, .results = *results}));
   }
 
   Result<Lines> extend() {
@@ -234,18 +202,16 @@ class Deciding {
       return fail(Errc::input, "there is no team " + act_.except);
     if (act_.from.empty()) return fail(Errc::input, "say until when: --until TIME");
     MIROCUP_TRY(const auto until, time_to_come(""));
-    const std::string line = act_.except + " may hand in until " + shown_time(state().file, until);
-    if (!state().is_started) {
+    Extended event = signed_as(Extended{.team = act_.except, .until = until, .reason_sha256 = {}});
+    event.signature.why = "an extension; the reason is not published";
+    const std::string line = decision_in_words(state(), event);
+    if (!state().is_started)
       return change_file([&](LeagueFile& file) { file.extensions[act_.except] = until; }, line);
-    }
-    Extended event = signed_as(
-        Extended{.team = act_.except, .until = until, .reason_sha256 = {}, .why = {}, .by = {}});
-    event.why = "an extension; the reason is not published";
     MIROCUP_TRY_VOID(validate(state(), event));  // no reason is kept of what is refused
     if (!act_.is_dry_run) {
       MIROCUP_TRY(event.reason_sha256, keep_reason(line));
     }
-    return write(event, line);
+    return write(event);
   }
 
   // Returns the time that a person typed, unless it is past; `otherwise` ends the objection.
@@ -267,7 +233,7 @@ class Deciding {
   // Before the start the journal has no line yet. Others may have written the file meanwhile.
   Result<Lines> change_file(const std::function<void(LeagueFile&)>& change,
                             const std::string& line) {
-    if (act_.is_dry_run) return Lines{line + " (not written: a dry run)"};
+    if (act_.is_dry_run) return Lines{line + not_written};
     MIROCUP_TRY(const auto lock, system::FileLock::acquire(store_.folder().submitting()));
     MIROCUP_TRY(const auto fresh, LeagueStore::open_unplanned(files_, store_.folder()));
     if (fresh.state().is_started)
@@ -281,44 +247,26 @@ class Deciding {
 
   Result<Lines> freeze() {
     if (!act_.except.empty()) return extend();
-    std::string from;
-    if (act_.from.empty() && !act_.is_lifted) from = utc_text(now_);
+    Frozen frozen;
+    if (act_.from.empty() && !act_.is_lifted) frozen.from = utc_text(now_);
     if (!act_.from.empty() && !act_.is_lifted) {
-      MIROCUP_TRY(from, time_to_come(", or none to take no entry from now on"));
+      MIROCUP_TRY(frozen.from, time_to_come(", or none to take no entry from now on"));
     }
-    const std::string line =
-        from.empty() ? "entries are taken again"
-                     : "from " + shown_time(state().file, from) + " on, no entry is taken";
-    if (state().is_started) {
-      Frozen frozen;
-      frozen.from = from;
-      return write(signed_as(frozen), line);
-    }
-    return change_file([&](LeagueFile& file) { file.freeze = from; }, line);
+    if (state().is_started) return write(signed_as(frozen));
+    return change_file([&](LeagueFile& file) { file.freeze = frozen.from; },
+                       decision_in_words(state(), frozen));
   }
 
   Result<Lines> release() {
     const auto level = from_string<ReleaseLevel>(act_.level);
     if (!level) return fail(Errc::input, "all, teams or hidden is expected");
-    const auto& fixtures = state().fixtures;
     const std::string& round = act_.through;
     const bool exists =
-        round.empty() ||
-        std::any_of(fixtures.begin(), fixtures.end(), [&round](const FixtureState& f) {
-          return (f.fixture.part == Part::knockout ? "k" : "r") + std::to_string(f.fixture.round) ==
-                 round;
+        round.empty() || std::ranges::any_of(state().fixtures, [&round](const FixtureState& f) {
+          return f.fixture.round_key() == round;
         });
     if (!exists) return fail(Errc::input, "there is no round " + round);
-    Released released;
-    released.level = *level;
-    released.through = round;
-    const std::string shown = !round.empty()                ? "the rounds through " + round
-                              : *level == ReleaseLevel::all ? "every round"
-                                                            : "no round";
-    MIROCUP_TRY(auto lines,
-                write(signed_as(released),
-                      "the pages show " + shown +
-                          (*level == ReleaseLevel::teams ? "; teams read their own digests" : "")));
+    MIROCUP_TRY(auto lines, write(signed_as(Released{.level = *level, .through = round})));
     if (!act_.is_dry_run)
       show_results(store_.folder(), round.empty() && *level == ReleaseLevel::all);
     return lines;
@@ -331,11 +279,7 @@ class Deciding {
                                    "; league decisions lists them");
     }
     const int line = decisions[static_cast<std::size_t>(act_.decision) - 1].line;
-    Undone undone;
-    undone.line = line;
-    return write(signed_as(undone),
-                 "decision " + std::to_string(act_.decision) +
-                     " is undone: the league is as if the decision had not been made");
+    return write(signed_as(Undone{.line = line}));
   }
 
   system::Files& files_;

@@ -49,8 +49,8 @@ std::string objection_to_reason(const std::string& text);
 std::string objection_to_person(const std::string& name);
 
 // Performs an act. `files` gives access to league.json, because a freeze before the start writes
-// its time there. Returns lines for the person who acts, with the former values: "r1-f1 leg 2: a 2
-// : 1 b (was 0 : 3)". After an error, Errc::input, nothing is written.
+// its time there. Returns lines for the person who acts, as the list of decisions has them: "r1-f1
+// leg 2, a – b: 2:1 (was 0:3)". After an error, Errc::input, nothing is written.
 Result<std::vector<std::string>> perform(system::Files& files, LeagueStore& store, const Act& act,
                                          std::int64_t now);
 

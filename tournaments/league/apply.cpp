@@ -190,8 +190,8 @@ struct Validator {
 };
 
 // Returns a person's reason, with the name of the person if it is known.
-std::string signed_reason(const std::string& why, const std::string& by) {
-  return why + (by.empty() ? "" : " (" + by + ")");
+std::string signed_reason(const Signature& signature) {
+  return signature.why + (signature.by.empty() ? "" : " (" + signature.by + ")");
 }
 
 PlayedLeg played_leg(const LeagueState& state, const Fixture& fixture, const LegPlayed& e) {
@@ -288,7 +288,7 @@ struct Applier {
     leg.new_seeds += e.has_new_seed ? 1 : 0;
     if (e.cause == VoidCause::ruling) {
       leg.host_faults = 0;
-      leg.void_ruling = std::make_shared<const std::string>(signed_reason(e.why, e.by));
+      leg.void_ruling = std::make_shared<const std::string>(signed_reason(e.signature));
     }
     ScheduleGrowth(state).fixture_changed(at.fixture);
   }
@@ -309,23 +309,23 @@ struct Applier {
     leg.result.both_lose = false;
     const int ahead = e.score.home - e.score.away;
     leg.winner = ahead > 0 ? f.fixture.home : ahead < 0 ? f.fixture.away : no_team;
-    leg.ruling = signed_reason(e.why, e.by);
+    leg.ruling = signed_reason(e.signature);
     f.legs[at.leg].played = std::make_shared<const PlayedLeg>(std::move(leg));
     ScheduleGrowth(state).fixture_changed(at.fixture);
   }
 
   void operator()(const Withdrawn& e) const {
     const int team = *state.find_team(e.team);
-    set_status(team, TeamStatus::withdrawn, e.why);
+    set_status(team, TeamStatus::withdrawn, e.signature.why);
     ScheduleGrowth(state).team_left(team, e.results == WithdrawnResults::annul);
   }
 
   void operator()(const Paused& e) const {
-    set_status(*state.find_team(e.team), TeamStatus::paused, e.why);
+    set_status(*state.find_team(e.team), TeamStatus::paused, e.signature.why);
   }
 
   void operator()(const Resumed& e) const {
-    set_status(*state.find_team(e.team), TeamStatus::playing, e.why);
+    set_status(*state.find_team(e.team), TeamStatus::playing, e.signature.why);
   }
 
   void set_status(int index, TeamStatus status, const std::string& why) const {

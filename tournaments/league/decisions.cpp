@@ -76,25 +76,22 @@ struct Undoes {
   }
 };
 
-// Returns the score of a leg before it was decided, as the list of decisions has it.
-std::string before_in_words(const LeagueState& state, const std::string& fixture, int leg) {
-  const auto index = state.find_fixture(fixture);
-  if (!index || leg < 1 || leg > max_legs) return "";
-  const auto& played = state.fixtures[*index].legs[leg - 1].played;
+std::string score_before(const LeagueState& state, const auto& event) {
+  const auto index = state.find_fixture(event.fixture);
+  if (!index || event.leg < 1 || event.leg > max_legs) return "";
+  const auto& played = state.fixtures[*index].legs[event.leg - 1].played;
   if (!played) return "was not decided";
   return "was " + std::to_string(played->result.home_goals) + ":" +
          std::to_string(played->result.away_goals);
 }
 
-std::string before_in_words(const LeagueState& state, const Event& event) {
-  if (const auto* ruled = std::get_if<Ruled>(&event))
-    return before_in_words(state, ruled->fixture, ruled->leg);
-  if (const auto* voided = std::get_if<LegVoided>(&event))
-    return before_in_words(state, voided->fixture, voided->leg);
-  return "";
-}
-
 }  // namespace
+
+std::string before_in_words(const LeagueState& state, const Event& event) {
+  if (const auto* ruled = std::get_if<Ruled>(&event)) return score_before(state, *ruled);
+  const auto* voided = std::get_if<LegVoided>(&event);
+  return voided != nullptr ? score_before(state, *voided) : "";
+}
 
 bool is_of_person(const Event& event) {
   if (const auto* voided = std::get_if<LegVoided>(&event))

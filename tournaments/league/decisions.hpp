@@ -20,4 +20,8 @@ void note_undone_decision(LeagueState& state, const Event& event, int line);
 // True if the event is a decision of a person.
 bool is_of_person(const Event& event);
 
+// Returns the score of the leg that a decision is about, as it is before it: "was 2:1"; "" if the
+// decision is not about a leg.
+std::string before_in_words(const LeagueState& state, const Event& event);
+
 }  // namespace mirocup::league

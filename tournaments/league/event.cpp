@@ -13,14 +13,13 @@ using record::JsonReader;
 constexpr std::size_t max_entries = 1000;        // of a night
 constexpr std::string_view strikes = "strikes";  // the cause of a pause by the program
 
-// The reason of a decision and, if they are known, the person who made it and the time.
-void list_signature(auto& f, auto& e) {
-  f("why", e.why);
-  f.if_set("by", e.by);
-  f.if_set("at", e.at);
-}
-
 }  // namespace
+
+static void list_signature(auto& f, Signature& signature) {
+  f("why", signature.why);
+  f.if_set("by", signature.by);
+  f.if_set("at", signature.at);
+}
 
 static void list_fields(auto& f, HomeAway& numbers) {
   f("home", numbers.home, 0, max_count);
@@ -76,20 +75,20 @@ static void list_fields(auto& f, LegVoided& e) {
   f("attempt", e.attempt);
   f("cause", e.cause);
   f.if_set("new_seed", e.has_new_seed);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, Ruled& e) {
   f("fixture", e.fixture);
   f("leg", e.leg);
   f("score", e.score);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, Withdrawn& e) {
   f("results", e.results);
   f("team", e.team);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, Paused& e) {
@@ -97,12 +96,12 @@ static void list_fields(auto& f, Paused& e) {
   std::string cause(e.is_by_program ? strikes : "");
   f.if_set("cause", cause);
   e.is_by_program = cause == strikes;
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, Resumed& e) {
   f("team", e.team);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, NightBegan& e) {
@@ -113,30 +112,30 @@ static void list_fields(auto& f, NightBegan& e) {
 
 static void list_fields(auto& f, Frozen& e) {
   f("from", e.from);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, Extended& e) {
   f("team", e.team);
   f("until", e.until);
   f("reason_sha256", e.reason_sha256);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, Closed& e) {
   f.if_set("final", e.closing_round);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, Released& e) {
   f("level", e.level);
   f("through", e.through);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 static void list_fields(auto& f, Undone& e) {
   f("line", e.line);
-  list_signature(f, e);
+  list_signature(f, e.signature);
 }
 
 Result<Event> read_event(const Json& line) {

@@ -28,12 +28,17 @@ using Json = nlohmann::ordered_json;
 // The largest number of goals or penalties of a leg that a reader accepts.
 inline constexpr int max_count = 1'000'000;
 
+// The reason of a decision and, if they are known, the person who made it and the time.
+struct Signature {
+  std::string why = {};
+  std::string by = {};
+  std::string at = {};  // UTC: "2026-11-30T18:00:00Z"
+};
+
 // One number for each of the two teams of a fixture: goals, or penalties given against them.
 struct HomeAway {
   int home = 0;
   int away = 0;
-
-  bool operator==(const HomeAway&) const = default;
 };
 
 // How a leg got its score. The match server ends a leg for one of the first six reasons; the last
@@ -57,7 +62,6 @@ struct LegFault {
 
   // Returns "TEAM: CODE: TEXT", as pages and exports print a fault.
   std::string summary() const { return team + ": " + code + ": " + text; }
-  bool operator==(const LegFault&) const = default;
 };
 
 // The league started; from then on league.json must have this SHA-256.
@@ -69,8 +73,6 @@ struct Started {
   match::Conditions conditions = {};  // of all legs
   std::string build = {};             // of the program
   std::string game = {};              // the hash of the program's behaviour
-
-  bool operator==(const Started&) const = default;
 };
 
 // From this event on the team plays with this entry.
@@ -80,8 +82,6 @@ struct EntryBooked {
   std::string team;
   int entry = 1;       // the number of the entry, from 1
   std::string sha256;  // of the entry's library
-
-  bool operator==(const EntryBooked&) const = default;
 };
 
 // A team joined a league that takes entries after its start. The team plays from its first entry
@@ -91,8 +91,6 @@ struct TeamJoined {
 
   std::string team;
   std::string source;  // as TeamConfig::source: "submitted" or "house:NAME"
-
-  bool operator==(const TeamJoined&) const = default;
 };
 
 // A leg was played, and its result counts.
@@ -112,8 +110,6 @@ struct LegPlayed {
   HomeAway penalties;  // given against each team
   std::string record;  // path of the match record inside the league folder
   std::string state_hash;
-
-  bool operator==(const LegPlayed&) const = default;
 };
 
 // The reason why an attempt counts for nothing.
@@ -131,12 +127,8 @@ struct LegVoided {
   int leg = 1;
   int attempt = 1;
   VoidCause cause = VoidCause::host;
-  std::string why;
-  std::string by;       // the person who decided; "" if not given
-  std::string at = {};  // when the person decided, UTC: "2026-11-30T18:00:00Z"; "" if not known
+  Signature signature = {};
   bool has_new_seed = false;  // false: the same libraries play the same leg again
-
-  bool operator==(const LegVoided&) const = default;
 };
 
 // A person decided the score of a leg, played or not.
@@ -146,11 +138,7 @@ struct Ruled {
   std::string fixture;
   int leg = 1;
   HomeAway score;
-  std::string why;
-  std::string by;
-  std::string at = {};
-
-  bool operator==(const Ruled&) const = default;
+  Signature signature = {};
 };
 
 // The effect of a withdrawal on the results of the team.
@@ -165,11 +153,7 @@ struct Withdrawn {
 
   std::string team;
   WithdrawnResults results = WithdrawnResults::keep;
-  std::string why;
-  std::string by;
-  std::string at = {};
-
-  bool operator==(const Withdrawn&) const = default;
+  Signature signature = {};
 };
 
 // No leg of the team is started until the team is resumed. The program also pauses teams: then `by`
@@ -178,23 +162,15 @@ struct Paused {
   static constexpr std::string_view kind = "pause";
 
   std::string team;
-  std::string why;
-  std::string by;
-  std::string at = {};
+  Signature signature = {};
   bool is_by_program = false;
-
-  bool operator==(const Paused&) const = default;
 };
 
 struct Resumed {
   static constexpr std::string_view kind = "resume";
 
   std::string team;
-  std::string why;
-  std::string by;
-  std::string at = {};
-
-  bool operator==(const Resumed&) const = default;
+  Signature signature = {};
 };
 
 // A night begins. In a nightly league the event lists the last accepted entry of each team with a
@@ -206,8 +182,6 @@ struct NightBegan {
   int number = 1;  // from 1
   std::vector<EntryBooked> entries = {};
   std::string at = {};
-
-  bool operator==(const NightBegan&) const = default;
 };
 
 // The league takes no entry from a time on.
@@ -215,11 +189,7 @@ struct Frozen {
   static constexpr std::string_view kind = "freeze";
 
   std::string from;  // UTC; "": the league takes entries again
-  std::string why;
-  std::string by;
-  std::string at = {};
-
-  bool operator==(const Frozen&) const = default;
+  Signature signature = {};
 };
 
 // One team may hand in longer than the others. The reason is private: the host keeps it, and the
@@ -230,11 +200,7 @@ struct Extended {
   std::string team;
   std::string until;          // UTC
   std::string reason_sha256;  // of the reason and its salt, in reasons.txt
-  std::string why;
-  std::string by;
-  std::string at = {};
-
-  bool operator==(const Extended&) const = default;
+  Signature signature = {};
 };
 
 // The league is over: no night follows, and the league takes no entry.
@@ -243,11 +209,7 @@ struct Closed {
 
   // The format of the closing round in the folder final/, which decides the season; "": none.
   std::string closing_round = {};
-  std::string why;
-  std::string by;
-  std::string at = {};
-
-  bool operator==(const Closed&) const = default;
+  Signature signature = {};
 };
 
 // The people who may read the rounds after the released round.
@@ -263,11 +225,7 @@ struct Released {
 
   ReleaseLevel level = ReleaseLevel::all;
   std::string through;  // the last round, "r3"; "": every round if `level` is `all`, otherwise none
-  std::string why;
-  std::string by;
-  std::string at = {};
-
-  bool operator==(const Released&) const = default;
+  Signature signature = {};
 };
 
 // A decision of a person is taken back: the league is as if it had never been made.
@@ -275,11 +233,7 @@ struct Undone {
   static constexpr std::string_view kind = "undo";
 
   int line = 0;  // the number of the journal's line with the decision that is taken back
-  std::string why;
-  std::string by;
-  std::string at = {};
-
-  bool operator==(const Undone&) const = default;
+  Signature signature = {};
 };
 
 using Event =

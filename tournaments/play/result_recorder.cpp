@@ -151,9 +151,7 @@ Result<void> ResultRecorder::write_void(const LegId& leg, VoidCause cause, const
                                                  .leg = leg.leg,
                                                  .attempt = leg.attempt,
                                                  .cause = cause,
-                                                 .why = why,
-                                                 .by = {},
-                                                 .at = {},
+                                                 .signature = {why},
                                                  .has_new_seed = has_new_seed}));
 }
 
@@ -165,7 +163,7 @@ Result<void> ResultRecorder::pause_after_strikes(const Fixture& fixture) {
     const std::string why = std::to_string(now.strikes) + " legs in a row lost by its own faults";
     const std::string name = state().name(team);
     MIROCUP_TRY_VOID(drop_if_outdated(
-        store_.write(Paused{.team = name, .why = why, .by = {}, .at = {}, .is_by_program = true})));
+        store_.write(Paused{.team = name, .signature = {why}, .is_by_program = true})));
     progress_.say(name + " is paused: " + why +
                   "; to end the pause: mirocup league resume or withdraw " + folder().path + " " +
                   name);

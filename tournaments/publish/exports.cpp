@@ -4,8 +4,8 @@
 #include "record/csv_rows.hpp"
 #include "record/json_reader.hpp"
 #include "system/number_of.hpp"
+#include "tournaments/league/decision_view.hpp"
 #include "tournaments/league/league_state.hpp"
-#include "tournaments/publish/decision_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -180,11 +180,11 @@ Json decision_rows(const LeagueState& state) {
   Json decisions = Json::array();
   for (const DecisionView& d : decision_views(state)) {
     decisions.push_back({{"number", d.number},
-                         {"at", or_null(d.at)},
-                         {"by", or_null(d.by)},
+                         {"at", or_null(d.signature.at)},
+                         {"by", or_null(d.signature.by)},
                          {"kind", d.kind},
                          {"what", d.what},
-                         {"why", d.why},
+                         {"why", d.signature.why},
                          {"undone_by", d.undone_by == 0 ? Json() : Json(d.undone_by)}});
   }
   return decisions;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/front_page.hpp"
 
+#include "tournaments/league/decision_view.hpp"
 #include "tournaments/publish/bests.hpp"
 #include "tournaments/publish/bracket_svg.hpp"
-#include "tournaments/publish/decision_view.hpp"
 #include "tournaments/publish/page_values.hpp"
 
 #include <nlohmann/json.hpp>
@@ -198,10 +198,10 @@ Json decisions_values(const LeagueState& state) {
   Json decisions = Json::array();
   for (const DecisionView& d : decision_views(state)) {
     decisions.push_back({{"number", d.number},
-                         {"at", shown_time(state.file, d.at)},
-                         {"by", d.by},
+                         {"at", shown_time(state.file, d.signature.at)},
+                         {"by", d.signature.by},
                          {"what", d.what},
-                         {"why", d.why},
+                         {"why", d.signature.why},
                          {"undoing", d.undoing}});
   }
   return decisions;

@@ -8,12 +8,6 @@ namespace mirocup::league {
 
 namespace {
 
-bool is_before(const Fixture& a, const Fixture& b) {
-  const bool a_last = a.part == Part::knockout;
-  const bool b_last = b.part == Part::knockout;
-  return a_last != b_last ? b_last : a.round < b.round;
-}
-
 std::string title_of(const LeagueState& state, const Fixture& f) {
   if (f.part == Part::group) return "Round " + std::to_string(f.round) + " of the groups";
   return round_in_words(state, f);
@@ -21,12 +15,8 @@ std::string title_of(const LeagueState& state, const Fixture& f) {
 
 }  // namespace
 
-static std::string round_key(const Fixture& fixture) {
-  return (fixture.part == Part::knockout ? "k" : "r") + std::to_string(fixture.round);
-}
-
 std::string fixture_link(const Fixture& fixture) {
-  return "rounds/" + round_key(fixture) + ".html#" + fixture.id();
+  return "rounds/" + fixture.round_key() + ".html#" + fixture.id();
 }
 
 std::vector<RoundView> rounds_of(const Overview& o) {
@@ -36,11 +26,11 @@ std::vector<RoundView> rounds_of(const Overview& o) {
   for (const FixtureState& f : o.state.fixtures) fixtures.push_back(&f);
   std::stable_sort(fixtures.begin(), fixtures.end(),
                    [](const FixtureState* a, const FixtureState* b) {
-                     return is_before(a->fixture, b->fixture);
+                     return a->fixture.round_order() < b->fixture.round_order();
                    });
   std::vector<RoundView> rounds;
   for (const FixtureState* f : fixtures) {
-    const std::string key = round_key(f->fixture);
+    const std::string key = f->fixture.round_key();
     if (rounds.empty() || rounds.back().key != key) {
       rounds.emplace_back();
       rounds.back().key = key;

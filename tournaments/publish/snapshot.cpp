@@ -2,42 +2,22 @@
 #include "tournaments/publish/snapshot.hpp"
 
 #include "record/json_fields.hpp"
-#include "system/number_of.hpp"
 #include "tournaments/league/apply.hpp"
 #include "tournaments/league/decisions.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace mirocup::league {
 
 namespace {
 
-struct Round {
-  bool is_of_knockout = false;
-  int number = 0;
-
-  static Round of(const Fixture& f) { return {f.part == Part::knockout, f.round}; }
-  bool operator==(const Round&) const = default;
-
-  bool is_after(const Round& other) const {
-    return is_of_knockout != other.is_of_knockout ? is_of_knockout : number > other.number;
-  }
-};
-
-std::optional<Round> round_named(const std::string& name) {
-  if (name.empty() || (name[0] != 'r' && name[0] != 'k')) return std::nullopt;
-  const auto number = system::number_of<int>(name.substr(1));
-  return number ? std::optional(Round{name[0] == 'k', *number}) : std::nullopt;
-}
+using Round = std::pair<bool, int>;  // as Fixture::round_order()
 
 // Returns the round of a league with that name.
 Result<Round> find_round(const LeagueState& whole, const std::string& name) {
-  const auto round = round_named(name);
-  const bool exists =
-      round && std::any_of(whole.fixtures.begin(), whole.fixtures.end(),
-                           [&](const FixtureState& f) { return Round::of(f.fixture) == *round; });
-  if (exists) return *round;
+  for (const FixtureState& f : whole.fixtures) {
+    if (f.fixture.round_key() == name) return f.fixture.round_order();
+  }
   return fail(Errc::input,
               "there is no round " + name + "; rounds are named like r3, without the fixture");
 }
@@ -58,8 +38,8 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
     const auto event = read_event(line);
     if (!event) return fail(Errc::damaged, journal.path() + ": " + event.error().what);
     if (const auto* night = std::get_if<NightBegan>(&*event)) {
-      has_last_begun = is_nightly && night->number >= last.number;
-      if (is_nightly && night->number > last.number) continue;
+      has_last_begun = is_nightly && night->number >= last.second;
+      if (is_nightly && night->number > last.second) continue;
     }
     if (std::holds_alternative<TeamJoined>(*event)) {
       if (has_last_begun) continue;
@@ -71,9 +51,8 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
       // An unknown fixture follows from one that is left out.
       const auto index = state.find_fixture(id);
       if (!index) continue;
-      const Round of = Round::of(state.fixtures[*index].fixture);
-      if (of.is_after(last) || (of == last && !shows(id, record::value_in(line, "leg", 0))))
-        continue;
+      const Round of = state.fixtures[*index].fixture.round_order();
+      if (of > last || (of == last && !shows(id, record::value_in(line, "leg", 0)))) continue;
     }
     if (undone.contains(number) && is_of_person(*event)) {
       note_undone_decision(state, *event, number);

@@ -78,13 +78,13 @@ TEST(Rulings, ArePublishedAndCount) {
   std::string before;
   for (const auto& line : journal_of(folder)) {
     if (line["kind"] == "leg" && line["fixture"] == "r1-f1" && line["leg"] == 2)
-      before = line["score"]["home"].dump() + " : " + line["score"]["away"].dump();
+      before = line["score"]["home"].dump() + ":" + line["score"]["away"].dump();
   }
   EXPECT_EQ(
       run(league("award", folder,
                  {"r1-f1", away, "--leg", "2", "--reason", "<b>glue</b>", "--by", "Host"}))
           .out,
-      "r1-f1 leg 2: " + fixture("r1-f1", "home") + " 0 : 10 " + away + " (was " + before + ")\n");
+      "r1-f1 leg 2, " + fixture("r1-f1", "home") + " – " + away + ": 0:10 (was " + before + ")\n");
   EXPECT_EQ(run(league("rule", folder, {"r2-f1", "--leg", "1", "--score", "7:6", "--reason", "x"}))
                 .exit_code,
             0);

@@ -85,7 +85,7 @@ TEST_F(StaffPage, AnAssistantDecidesUnderItsNameAndSeesNoGrades) {
   const std::string form = "act=pause&team=alpha&reason=because&by=The+Professor&go=do";
   EXPECT_EQ(ask("POST", "/hand-in/staff", assistant_, form).status, 303);
   ASSERT_EQ(decisions().size(), 1u);
-  EXPECT_EQ(std::get<Paused>(decisions().front().event).by, "A. Berg");
+  EXPECT_EQ(std::get<Paused>(decisions().front().event).signature.by, "A. Berg");
 }
 
 // Catches a tutor's token that decides, and a page that offers it.

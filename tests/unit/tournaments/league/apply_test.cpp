@@ -19,17 +19,17 @@ LeagueState started_pair() {
 // A person decides both legs of a fixture.
 void rule(LeagueState& state, const std::string& fixture, HomeAway score) {
   for (const int leg : {1, 2})
-    apply(state, Ruled{.fixture = fixture, .leg = leg, .score = score, .why = "w", .by = {}});
+    apply(state, Ruled{.fixture = fixture, .leg = leg, .score = score, .signature = {"w"}});
 }
 
 void withdraw(LeagueState& state, const std::string& team,
               WithdrawnResults results = WithdrawnResults::keep) {
-  apply(state, Withdrawn{.team = team, .results = results, .why = "left", .by = {}});
+  apply(state, Withdrawn{.team = team, .results = results, .signature = {"left"}});
 }
 
 TEST(Apply, NothingBeforeTheStart) {
   const LeagueState state = new_league(started_pair().file);
-  const auto valid = validate(state, Paused{.team = "a", .why = "w", .by = {}});
+  const auto valid = validate(state, Paused{.team = "a", .signature = {"w"}});
   ASSERT_FALSE(valid);
   EXPECT_EQ(valid.error().what, "the league has not started");
   EXPECT_TRUE(validate(state, Started{.config_sha256 = "x", .version = ""}));
@@ -74,7 +74,7 @@ TEST(Apply, ARulingReplacesTheScoreAndKeepsTheRecord) {
   const Fixture& fixture = state.fixtures[0].fixture;
   apply(state, played_leg(state, fixture, 1, {.home = 2, .away = 1}));
   const Ruled ruled{
-      .fixture = "r1-f1", .leg = 1, .score = {.home = 0, .away = 10}, .why = "glue", .by = "H"};
+      .fixture = "r1-f1", .leg = 1, .score = {.home = 0, .away = 10}, .signature = {"glue", "H"}};
   ASSERT_TRUE(validate(state, ruled));
   apply(state, ruled);
   const PlayedLeg& leg = *state.fixtures[0].legs[0].played;
@@ -87,7 +87,7 @@ TEST(Apply, ARulingReplacesTheScoreAndKeepsTheRecord) {
 
 TEST(Apply, NoNegativeScoreAndNoLegThatTheFixtureDoesNotNeed) {
   const LeagueState state = started_pair();
-  Ruled ruled{.fixture = "r1-f1", .leg = 1, .score = {.home = -1, .away = 0}, .why = "w", .by = {}};
+  Ruled ruled{.fixture = "r1-f1", .leg = 1, .score = {.home = -1, .away = 0}, .signature = {"w"}};
   EXPECT_FALSE(validate(state, ruled));
   ruled.score.home = 1;
   EXPECT_TRUE(validate(state, ruled));
@@ -128,8 +128,7 @@ void decide_all(LeagueState& state) {
         apply(state, Ruled{.fixture = f.fixture.id(),
                            .leg = leg,
                            .score = {is_home ? 1 : 0, is_home ? 0 : 1},
-                           .why = "w",
-                           .by = {}});
+                           .signature = {"w"}});
         more = true;
       }
     }

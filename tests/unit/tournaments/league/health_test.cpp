@@ -76,9 +76,9 @@ TEST_F(LeagueHealth, OfNights) {
 }
 
 TEST_F(LeagueHealth, OfTeamsThatArePaused) {
-  write(Paused{.team = "a", .why = "asks for a day", .by = "host", .at = utc_text(noon)});
+  write(Paused{.team = "a", .signature = {"asks for a day", "host", utc_text(noon)}});
   EXPECT_EQ(problems(noon), "") << "who has paused it knows";
-  write(Paused{.team = "b", .why = "three legs lost", .by = "", .is_by_program = true});
+  write(Paused{.team = "b", .signature = {"three legs lost", ""}, .is_by_program = true});
   const std::string text = problems(noon);
   EXPECT_NE(text.find("b is paused: three legs lost"), std::string::npos) << text;
   EXPECT_EQ(text.find("a is paused"), std::string::npos) << text;
@@ -129,11 +129,12 @@ TEST_F(LeagueHealth, OfRecordsWithoutALine) {
     EXPECT_EQ(found({strange}), std::pair(false, Names{})) << strange;
   // It may have come before a result was taken back that had made its fixture.
   EXPECT_EQ(found({"r9-f1-1-1"}), std::pair(false, Names{"records/r9-f1-1-1.json"}));
-  write(Ruled{.fixture = "r1-f1", .leg = 1, .score = {}, .why = "w", .by = "h"});
+  write(Ruled{.fixture = "r1-f1", .leg = 1, .score = {}, .signature = {"w", "h"}});
   EXPECT_EQ(found({"r1-f1-1-1"}), std::pair(false, Names{})) << "a ruling decided the leg";
-  write(LegVoided{.fixture = "r1-f1", .leg = 1, .cause = VoidCause::ruling, .why = "w", .by = "h"});
+  write(
+      LegVoided{.fixture = "r1-f1", .leg = 1, .cause = VoidCause::ruling, .signature = {"w", "h"}});
   EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(false, Names{second}));
-  write(Undone{.line = 3, .why = "w", .by = "h"});
+  write(Undone{.line = 3, .signature = {"w", "h"}});
   EXPECT_EQ(found({"r1-f1-1-1", "r1-f1-1-2"}), std::pair(false, Names{}));
 }
 

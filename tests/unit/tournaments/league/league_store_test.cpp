@@ -36,7 +36,7 @@ class LeagueStoreTest : public testing::Test {
 
 TEST_F(LeagueStoreTest, WritesNothingThatDoesNotFit) {
   LeagueStore store = open();
-  EXPECT_FALSE(store.write(Paused{.team = "a", .why = "w", .by = {}})) << "it has not started";
+  EXPECT_FALSE(store.write(Paused{.team = "a", .signature = {"w"}})) << "it has not started";
   EXPECT_EQ(store.lines(), 0u);
   EXPECT_FALSE(files_.exists(folder_.journal()));
   ASSERT_TRUE(store.write(start_event()));
@@ -56,8 +56,8 @@ TEST_F(LeagueStoreTest, AppliesTheEventsOfOthersBeforeItsOwn) {
   LeagueStore one = open();
   LeagueStore other = open();
   ASSERT_TRUE(one.write(start_event()));
-  ASSERT_TRUE(one.write(Paused{.team = "a", .why = "w", .by = {}}));
-  EXPECT_FALSE(other.write(Paused{.team = "a", .why = "w", .by = {}})) << "is paused already";
+  ASSERT_TRUE(one.write(Paused{.team = "a", .signature = {"w"}}));
+  EXPECT_FALSE(other.write(Paused{.team = "a", .signature = {"w"}})) << "is paused already";
   EXPECT_EQ(other.state().teams[0].status, TeamStatus::paused);
   EXPECT_EQ(other.lines(), 2u);
 }
@@ -69,8 +69,8 @@ TEST_F(LeagueStoreTest, KeepsATeamThatJoinedWhenADecisionIsUndone) {
   LeagueStore store = open();
   ASSERT_TRUE(store.write(start_event()));
   ASSERT_TRUE(store.write(TeamJoined{.team = "c", .source = "submitted"}));
-  ASSERT_TRUE(store.write(Paused{.team = "c", .why = "w", .by = "H"}));
-  ASSERT_TRUE(store.write(Undone{.line = 3, .why = "w", .by = "H"}));
+  ASSERT_TRUE(store.write(Paused{.team = "c", .signature = {"w", "H"}}));
+  ASSERT_TRUE(store.write(Undone{.line = 3, .signature = {"w", "H"}}));
   for (const LeagueState& state : {store.state(), open().state()}) {
     ASSERT_EQ(state.teams.size(), 3u);
     EXPECT_EQ(state.file.teams.size(), 3u);

@@ -141,7 +141,7 @@ void play_while_teams_leave(LeagueState& state, std::uint64_t seed) {
     if (!leaves || state.teams[team].status == TeamStatus::withdrawn) continue;
     take(state,
          Withdrawn{
-             .team = state.name(team), .results = WithdrawnResults::keep, .why = "test", .by = {}});
+             .team = state.name(team), .results = WithdrawnResults::keep, .signature = {"test"}});
     ++left;
   }
 }
@@ -210,7 +210,7 @@ TEST(LeagueState, LetsARulingChangeATieOnlyUntilItsWinnerPlays) {
   ASSERT_TRUE(state.fixtures[final].fixture.has_both());
   const int loser = state.fixtures[0].fixture.away;
   const Ruled ruling{
-      .fixture = "k1-f1", .leg = 1, .score = {.home = 0, .away = 10}, .why = "pushed", .by = {}};
+      .fixture = "k1-f1", .leg = 1, .score = {.home = 0, .away = 10}, .signature = {"pushed"}};
   take(state, ruling);
   EXPECT_EQ(state.fixtures[final].fixture.home, loser) << "the final has not begun";
   take(state, leg_result(state, {final, 1}));
@@ -229,8 +229,7 @@ TEST(LeagueState, LetsWhoStaysWinAgainstWhoHasLeftOrCountsNothing) {
     const int other = f.away;
     take(state, Withdrawn{.team = leaver,
                           .results = annul ? WithdrawnResults::annul : WithdrawnResults::keep,
-                          .why = "test",
-                          .by = {}});
+                          .signature = {"test"}});
     EXPECT_EQ(state.legs(), annul ? 2 : 6);
     EXPECT_EQ(state.played(), annul ? 0 : 4);
     EXPECT_EQ(open_legs(state).size(), 2u) << "between those who stay";
@@ -245,12 +244,8 @@ TEST(LeagueState, LetsWhoStaysWinAgainstWhoHasLeftOrCountsNothing) {
 TEST(LeagueState, PlaysAVoidedLegAgainUnderANewRecord) {
   LeagueState state = started(FormatKind::double_round_robin, 2);
   const LegPlayed leg = leg_result(state, {0, 1});
-  const LegVoided by_host{.fixture = "r1-f1",
-                          .leg = 1,
-                          .attempt = 1,
-                          .cause = VoidCause::host,
-                          .why = "host",
-                          .by = {}};
+  const LegVoided by_host{
+      .fixture = "r1-f1", .leg = 1, .attempt = 1, .cause = VoidCause::host, .signature = {"host"}};
   LegVoided by_person = by_host;
   by_person.cause = VoidCause::ruling;
   EXPECT_FALSE(validate(state, by_person)) << "nothing is decided";
@@ -269,7 +264,7 @@ TEST(LeagueState, PlaysAVoidedLegAgainUnderANewRecord) {
 // Catches an attempt that overwrites the record of a void one, and words of a ruling without one.
 TEST(LeagueState, PlaysALegAgainWhoseRecordWasRefused) {
   LeagueState state = started(FormatKind::double_round_robin, 2);
-  LegVoided refused{.fixture = "r1-f1", .leg = 1, .attempt = 1, .why = "differs", .by = {}};
+  LegVoided refused{.fixture = "r1-f1", .leg = 1, .attempt = 1, .signature = {"differs"}};
   refused.has_new_seed = true;
   take(state, refused);
   const LegState& leg = state.fixtures[0].legs[0];
@@ -297,10 +292,10 @@ TEST(LeagueState, CountsOwnFaultsInARow) {
   EXPECT_EQ(state.teams[0].strikes, 2);
   play("");
   EXPECT_EQ(state.teams[0].strikes, 0);
-  const Paused paused{.team = "t0", .why = "test", .by = {}};
+  const Paused paused{.team = "t0", .signature = {"test"}};
   take(state, paused);
   EXPECT_FALSE(validate(state, paused));
-  take(state, Resumed{.team = "t0", .why = "", .by = {}});
+  take(state, Resumed{.team = "t0", .signature = {""}});
 }
 
 TEST(Ladder, ForgetsWhatTheEntryBeforeDid) {

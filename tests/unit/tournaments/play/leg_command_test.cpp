@@ -116,9 +116,9 @@ TEST(LegCommand, PlaysTheLegThatDecidesATieAsAKnockoutWithASeedOfItsOwn) {
 TEST(OpenLegs, AreThoseOfPresentTeamsThatAreNotDecided) {
   LeagueState state = league_of_two(FormatKind::double_round_robin);
   EXPECT_EQ(open_legs(state, state.fixtures[0]), (std::vector<int>{1, 2}));
-  apply(state, Ruled{.fixture = "r1-f1", .leg = 1, .score = {}, .why = "w", .by = {}});
+  apply(state, Ruled{.fixture = "r1-f1", .leg = 1, .score = {}, .signature = {"w"}});
   EXPECT_EQ(open_legs(state, state.fixtures[0]), (std::vector<int>{2}));
-  apply(state, Paused{.team = "a", .why = "w", .by = {}});
+  apply(state, Paused{.team = "a", .signature = {"w"}});
   EXPECT_TRUE(open_legs(state, state.fixtures[0]).empty());
 }
 

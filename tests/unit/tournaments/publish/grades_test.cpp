@@ -36,8 +36,7 @@ void let_win(LeagueState& state, const std::string& team, int goals) {
     league::apply(state, Ruled{.fixture = "r1-f1",
                                .leg = leg,
                                .score = is_home ? HomeAway{goals, 0} : HomeAway{0, goals},
-                               .why = "w",
-                               .by = {}});
+                               .signature = {"w"}});
   }
 }
 
@@ -98,7 +97,7 @@ TEST(Grades, RefuseAFileOfAnotherKind) {
 TEST(Grades, HaveARowForEachTeam) {
   LeagueState state = league_of_two();
   let_win(state, "alpha", 2);
-  league::apply(state, Withdrawn{.team = "alpha", .why = "left", .by = {}});
+  league::apply(state, Withdrawn{.team = "alpha", .signature = {"left"}});
   const std::string text = csv(state, {{"late", {.display = "=1+2", .members = {}}}});
   expect_part(text, "\r\n1,\"be,ta\",0,2,");
   expect_part(text, "\r\n2,alpha,6,2,");  // the withdrawn come last

@@ -155,9 +155,7 @@ TEST(Decisions, AreListedWithWhatBecameOfThem) {
                      .leg = 1,
                      .attempt = 1,
                      .cause = VoidCause::ruling,
-                     .why = why,
-                     .by = "H",
-                     .at = at};
+                     .signature = {why, "H", at}};
   };
   const Fixture second = state.fixtures[1].fixture;
   const std::string leaver = state.name(second.home);
@@ -166,21 +164,18 @@ TEST(Decisions, AreListedWithWhatBecameOfThem) {
   decide(state, Ruled{.fixture = ids(0),
                       .leg = 2,
                       .score = {.home = 999999, .away = 0},
-                      .why = "<b>too much</b>, \"quoted\"",
-                      .by = "<i>H</i>",
-                      .at = at});
-  decide(state, Ruled{.fixture = ids(0), .leg = 2, .score = {}, .why = "a typing error", .by = {}});
+                      .signature = {"<b>too much</b>, \"quoted\"", "<i>H</i>", at}});
+  decide(state, Ruled{.fixture = ids(0), .leg = 2, .score = {}, .signature = {"a typing error"}});
   decide(state, voids(0, "cable fault"));
   decide(state, played(state.file, state.fixtures[0].fixture, 1, record(1, 0)));
   decide(state, voids(0, "oops"));
   decide(state, voids(1, "a person on the field"));
-  decide(
-      state,
-      Paused{.team = leaver, .why = "3 legs in a row", .by = {}, .at = at, .is_by_program = true});
-  decide(state, Resumed{.team = leaver, .why = "", .by = {}, .at = at});
-  decide(state, Paused{.team = leaver, .why = "asked", .by = {}, .at = at});
   decide(state,
-         Withdrawn{.team = leaver, .results = WithdrawnResults::keep, .why = "left", .by = {}});
+         Paused{.team = leaver, .signature = {"3 legs in a row", "", at}, .is_by_program = true});
+  decide(state, Resumed{.team = leaver, .signature = {"", "", at}});
+  decide(state, Paused{.team = leaver, .signature = {"asked", "", at}});
+  decide(state,
+         Withdrawn{.team = leaver, .results = WithdrawnResults::keep, .signature = {"left"}});
 
   const std::string leg = ids(0) + " leg ";
   const std::string teams = ", " + home + " – " + away + ": ";
@@ -218,8 +213,8 @@ TEST(Decisions, ThatWereCarriedOutAreNotOverruled) {
   LeagueState state = state_after({{0, 1}});
   const Fixture f = state.fixtures[0].fixture;
   const LegVoided voided{
-      .fixture = f.id(), .leg = 1, .attempt = 1, .cause = VoidCause::ruling, .why = "w", .by = {}};
-  const Ruled ruled{.fixture = f.id(), .leg = 1, .score = {}, .why = "w", .by = {}};
+      .fixture = f.id(), .leg = 1, .attempt = 1, .cause = VoidCause::ruling, .signature = {"w"}};
+  const Ruled ruled{.fixture = f.id(), .leg = 1, .score = {}, .signature = {"w"}};
   decide(state, voided);
   decide(state, played(state.file, f, 1, record(1, 0)));
   decide(state, voided);
@@ -238,11 +233,10 @@ TEST(Decisions, ThatWereCarriedOutAreNotOverruled) {
 TEST(Decisions, OfLegsOfATeamThatLeavesNoResultsCountForNothing) {
   LeagueState state = state_after({{0, 1}, {0, 2}});
   const Fixture& f = state.fixtures[0].fixture;
-  decide(state, Ruled{.fixture = f.id(), .leg = 1, .score = {}, .why = "w", .by = {}});
-  decide(
-      state,
-      Withdrawn{
-          .team = state.name(f.away), .results = WithdrawnResults::annul, .why = "left", .by = {}});
+  decide(state, Ruled{.fixture = f.id(), .leg = 1, .score = {}, .signature = {"w"}});
+  decide(state, Withdrawn{.team = state.name(f.away),
+                          .results = WithdrawnResults::annul,
+                          .signature = {"left"}});
   const std::string index = page(make_site({state}), "index.html");
   EXPECT_TRUE(contains(index, ">covered by 2, " + state.name(f.away) + " has withdrawn</span>"));
 }

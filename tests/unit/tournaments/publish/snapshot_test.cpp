@@ -119,8 +119,8 @@ TEST(Snapshot, ShowsANightWithoutTheTeamsThatJoinedAfterIt) {
   play_night(1, {});
   const auto first = make_site({season.state});
   season.write(TeamJoined{.team = "c", .source = "submitted"});
-  season.write(Paused{.team = "c", .why = "w", .by = "H"});
-  season.write(Resumed{.team = "c", .why = "w", .by = "H"});
+  season.write(Paused{.team = "c", .signature = {"w", "H"}});
+  season.write(Resumed{.team = "c", .signature = {"w", "H"}});
   play_night(2, {{.team = "c", .entry = 1, .sha256 = "u"}});
   const auto shown = state_through(season.state, season.journal, "r1");
   ASSERT_TRUE(test_support::is_ok(shown));

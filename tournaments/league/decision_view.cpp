@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tournaments/publish/decision_view.hpp"
-
-#include <tuple>
+#include "tournaments/league/decision_view.hpp"
 
 namespace mirocup::league {
 
@@ -72,14 +70,20 @@ std::string undoing_in_words(const LeagueState& state, const Event& by, int numb
 
 }  // namespace
 
+std::string decision_in_words(const LeagueState& state, const Event& event) {
+  return std::visit(DecisionWriter{state}, event);
+}
+
 std::vector<DecisionView> decision_views(const LeagueState& state) {
   std::vector<DecisionView> views;
   for (const Decision& decision : state.decisions) {
     DecisionView view{.number = static_cast<int>(views.size()) + 1,
-                      .what = std::visit(DecisionWriter{state}, decision.event)};
+                      .what = decision_in_words(state, decision.event)};
     const auto sign = [&view](const auto& e) {
-      if constexpr (requires { e.by; })
-        std::tie(view.kind, view.at, view.by, view.why) = std::tie(e.kind, e.at, e.by, e.why);
+      if constexpr (requires { e.signature; }) {
+        view.kind = e.kind;
+        view.signature = e.signature;
+      }
     };
     std::visit(sign, decision.event);
     if (!decision.what.empty()) view.what += " (" + decision.what + ")";

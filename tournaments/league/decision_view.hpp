@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The decisions of persons in words, as pages and exports list them.
+// The decisions of persons in words, as pages, exports and commands show them.
 #pragma once
 
 #include "tournaments/league/league_state.hpp"
@@ -11,14 +11,15 @@
 
 namespace mirocup::league {
 
+// Returns what a decision does: "r1-f1 leg 2, a – b: 0:10"; "" for another event.
+std::string decision_in_words(const LeagueState& state, const Event& event);
+
 struct DecisionView {
   int number = 1;  // number of the decision, from 1, in the order of the journal
   // Kind of the decision's line: "void", "ruling", "withdraw", …
   std::string_view kind = {};
-  std::string at = {};  // time of the decision, UTC; "" if its line has no time
-  std::string by = {};  // the person; "" if the line names no person
-  std::string what;     // "r1-f1 leg 2, a – b: 0:10"
-  std::string why = {};
+  Signature signature = {};
+  std::string what;   // decision_in_words(), and the value before it: "… (was 2:1)"
   int undone_by = 0;  // the number of the decision that ended this decision's effect; 0: none
   std::string undoing = {};  // undone_by in words: "overruled by 4"; "": none
 };
