@@ -114,22 +114,12 @@ Result<int> run_team(const TeamOptions& options) {
   }
   if (!is_good_name(team)) return fail(Errc::input, "TEAM or --csv FILE is expected");
   if (options.is_removed) return remove_team(disk, store, team);
-  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
-  MIROCUP_TRY(auto people, read_people(disk, folder));
-  if (!store.state().find_team(team) && !people.contains(team))
-    return fail(Errc::input, "there is no team " + team);
-  People& one = people[team];
-  if (options.display) one.display = *options.display;
-  if (!options.members.empty()) one.members = options.members;
-  if (options.members == std::vector<std::string>{""}) one.members.clear();
-  std::string why = objection_to(one);
-  if (options.display && !one.display.empty() && why.empty()) {
-    if (const std::string other = looks_like(people, store.state(), team, one.display);
-        !other.empty())
-      why = "people would take \"" + one.display + "\" for " + other;
-  }
-  if (!why.empty()) return fail(Errc::input, team + ": " + why);
-  MIROCUP_TRY_VOID(write_people(disk, folder, people));
+  MIROCUP_TRY(const auto one,
+              change_people(disk, folder, store.state(), team, [&options](People& known) {
+                if (options.display) known.display = *options.display;
+                if (!options.members.empty()) known.members = options.members;
+                if (options.members == std::vector<std::string>{""}) known.members.clear();
+              }));
   print(team, one);
   return exit_yes;
 }

@@ -197,18 +197,12 @@ web::Reply broken(const Error& error) {
 }
 
 Result<void> set_people(system::Files& files, const LeagueStore& store, const Form& form) {
-  const std::string team = value_of(form, "team");
-  if (!store.state().find_team(team)) return fail(Errc::input, "there is no team " + team);
-  MIROCUP_TRY(const auto lock, system::FileLock::acquire(store.folder().lock()));
-  MIROCUP_TRY(auto people, read_people(files, store.folder()));
-  People& one = people[team];
-  one.display = value_of(form, "display");
-  one.members = members_of(value_of(form, "members"));
-  if (const std::string why = objection_to(one); !why.empty()) return fail(Errc::input, why);
-  if (const std::string other = looks_like(people, store.state(), team, one.display);
-      !one.display.empty() && !other.empty())
-    return fail(Errc::input, other + " has this name already");
-  return write_people(files, store.folder(), people);
+  return change_people(files, store.folder(), store.state(), value_of(form, "team"),
+                       [&form](People& one) {
+                         one.display = value_of(form, "display");
+                         one.members = members_of(value_of(form, "members"));
+                       })
+      .map([](const People&) {});
 }
 
 // A form ends its lines with two characters.

@@ -2,6 +2,7 @@
 #include "tournaments/league/people.hpp"
 
 #include "record/json_reader.hpp"
+#include "system/file_lock.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
 
@@ -128,6 +129,25 @@ Result<void> write_people(system::Files& files, const Folder& folder, const Peop
   }
   const Json json{{"schema", people_schema}, {"teams", teams}};
   return files.write(folder.people(), record::json_text(json, 1) + "\n", system::Readers::owner);
+}
+
+Result<People> change_people(system::Files& files, const Folder& folder, const LeagueState& state,
+                             const std::string& team, const std::function<void(People&)>& change) {
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.lock()));
+  MIROCUP_TRY(auto people, read_people(files, folder));
+  if (!state.find_team(team) && !people.contains(team))
+    return fail(Errc::input, "there is no team " + team);
+  People& one = people[team];
+  const std::string before = one.display;
+  change(one);
+  std::string why = objection_to(one);
+  if (why.empty() && !one.display.empty() && one.display != before) {
+    if (const std::string other = looks_like(people, state, team, one.display); !other.empty())
+      why = "people would take \"" + one.display + "\" for " + other;
+  }
+  if (!why.empty()) return fail(Errc::input, team + ": " + why);
+  MIROCUP_TRY_VOID(write_people(files, folder, people));
+  return one;
 }
 
 // Two teams of one name could not be told apart: then it is followed by their own.

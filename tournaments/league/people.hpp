@@ -7,6 +7,7 @@
 
 #include "tournaments/league/folder.hpp"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -46,6 +47,11 @@ std::vector<std::string> parts_of(const std::string& cell);
 // Errc::input.
 Result<PeopleOfTeams> read_people(system::Files& files, const Folder& folder);
 Result<void> write_people(system::Files& files, const Folder& folder, const PeopleOfTeams& people);
+
+// Changes what is known of a team of the league or of the class list, and returns it. Errors:
+// Errc::input if nobody may have these names.
+Result<People> change_people(system::Files& files, const Folder& folder, const LeagueState& state,
+                             const std::string& team, const std::function<void(People&)>& change);
 
 // Returns the names that pages show, in the order of the teams; empty if pages show the teams' own
 // names.
