@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/site.hpp"
 
+#include "system/text.hpp"
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/page_values.hpp"
@@ -8,44 +9,39 @@
 #include "web/design/template.hpp"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace mirocup::league {
 
 std::string table_text(const LeagueState& state) {
-  std::ostringstream out;
   const bool by_strength = state.file.format.is_open_ended();
-  const auto line = [&](const std::string& rank, const std::string& team,
-                        const std::string& numbers, const std::string& goals,
-                        const std::string& points, const std::string& strength,
-                        const std::string& by) {
-    out << std::setw(3) << rank << "  " << std::left << std::setw(20) << team << std::right
-        << std::setw(20) << numbers << std::setw(12) << goals << std::setw(8) << points
-        << std::setw(by_strength ? 10 : 0) << strength << (by.empty() ? "" : "   ") << by << '\n';
+  const auto line = [&](const char* rank, const std::string& team, const std::string& numbers,
+                        const std::string& goals, const std::string& points,
+                        const std::string& strength, const std::string& by) {
+    return system::formatted("%3s  %-20s%20s%12s%8s%*s%s%s\n", rank, team.c_str(), numbers.c_str(),
+                             goals.c_str(), points.c_str(), by_strength ? 10 : 0, strength.c_str(),
+                             by.empty() ? "" : "   ", by.c_str());
   };
-  line("", "Team", "legs  won drawn lost", "goals", "points", by_strength ? "strength" : "",
-       "ahead of the next by");
+  std::string text = line("", "Team", "legs  won drawn lost", "goals", "points",
+                          by_strength ? "strength" : "", "ahead of the next by");
   const Ratings ratings = by_strength ? state.ratings() : Ratings();
   const std::vector<TableRow> table = state.table(ratings);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const TableRow& row = table[i];
-    std::ostringstream numbers;
-    numbers << std::setw(4) << row.played << std::setw(5) << row.won << std::setw(6) << row.drawn
-            << std::setw(5) << row.lost;
     const bool is_out = state.teams[row.team].status == TeamStatus::withdrawn;
     const TableRow* next = i + 1 < table.size() ? &table[i + 1] : nullptr;
     std::string by = reason_in_words(ratings, row, next);
     if (is_decided(state, ratings, row, next) == false) by += "; not decided";
     const bool has_strength = by_strength && row.rank > 0;
-    line(row.rank > 0 ? rank_in_words(row) : "  –",  // three bytes for one column
-         state.name(row.team) + (is_out ? " (withdrawn)" : ""), numbers.str(),
-         std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
-         std::to_string(row.points),
-         has_strength ? std::to_string(std::lround(ratings.strengths[row.team].value)) : "", by);
+    text += line(row.rank > 0 ? rank_in_words(row).c_str() : "  –",  // three bytes for one column
+                 state.name(row.team) + (is_out ? " (withdrawn)" : ""),
+                 system::formatted("%4d%5d%6d%5d", row.played, row.won, row.drawn, row.lost),
+                 std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against),
+                 std::to_string(row.points),
+                 has_strength ? std::to_string(std::lround(ratings.strengths[row.team].value)) : "",
+                 by);
   }
-  if (const std::string what = unpaired_in_words(state); !what.empty()) out << what << '\n';
-  return out.str();
+  if (const std::string what = unpaired_in_words(state); !what.empty()) text += what + "\n";
+  return text;
 }
 
 Site::Site(SiteSource source)
