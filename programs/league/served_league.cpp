@@ -136,8 +136,7 @@ std::vector<ServedLeague::LiveLeg> ServedLeague::find_live_legs() const {
       const auto answer = record::last_answer(files_, leg_answer(store_.folder(), leg));
       const int port = answer ? record::value_in(*answer, "port", 0) : 0;
       if (port == 0 || !web::is_watched_at(port)) continue;
-      const int blue = blue_team(leg.fixture, number);
-      const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
+      const auto [blue, yellow] = leg.fixture.colours(number);
       playing.push_back({stem_of(leg),
                          {{"name", stem_of(leg)},
                           {"fixture", leg.fixture.id()},

@@ -206,9 +206,9 @@ class ShownRound {
     for (const FixtureView& f : in_order(round->fixtures)) {
       for (const LegView* leg : f.legs) {
         if (!leg->has_replay()) continue;
-        const bool is_home_blue = blue_team(f.state->fixture, leg->leg) == leg->home;
-        legs_.push_back({{{"blue", state.shown_name(is_home_blue ? leg->home : leg->away)},
-                          {"yellow", state.shown_name(is_home_blue ? leg->away : leg->home)},
+        const auto [blue, yellow] = f.state->fixture.colours(leg->leg);
+        legs_.push_back({{{"blue", state.shown_name(blue)},
+                          {"yellow", state.shown_name(yellow)},
                           {"where", leg->round + ", leg " + std::to_string(leg->leg)},
                           {"data", "/legs/" + std::to_string(legs_.size()) + ".json"},
                           {"has_standing", !is_of_knockout}},

@@ -52,6 +52,11 @@ struct Fixture {
   // Orders rounds: those of a knockout come after all others.
   std::pair<bool, int> round_order() const { return {part == Part::knockout, round}; }
 
+  // Returns the teams that are blue and yellow in a leg (from 1).
+  std::pair<int, int> colours(int leg) const {
+    return is_home_blue(leg) ? std::pair(home, away) : std::pair(away, home);
+  }
+  static bool is_home_blue(int leg) { return leg % 2 == 1; }
   // True if both teams are known.
   bool has_both() const { return home >= 0 && away >= 0; }
   bool is_for_third_place() const { return home_source.kind == TeamSource::Kind::loser; }

@@ -30,7 +30,7 @@ OwnLeg seen_from(const SeenState& seen, const FixtureState& f, int leg, int team
   if (played.fault && played.fault->team == seen->name(team))
     own.own_fault = played.fault->code + ": " + played.fault->text;
   own.record = played.record;
-  own.colour = blue_team(f.fixture, leg) == team ? "blue" : "yellow";
+  own.colour = Fixture::is_home_blue(leg) == is_home ? "blue" : "yellow";
   return own;
 }
 

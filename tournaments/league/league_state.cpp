@@ -178,22 +178,22 @@ std::vector<TableRow> LeagueState::table(const Ratings& ratings) const {
   return rows;
 }
 
+std::vector<TableRow> LeagueState::group_table(int group) const {
+  std::vector<LegResult> results;
+  for (const FixtureState& f : fixtures) {
+    if (f.is_annulled || f.fixture.part != Part::group || f.fixture.group != group + 1) continue;
+    for (const LegState& leg : f.legs) {
+      if (leg.played) results.push_back(leg.played->result);
+    }
+  }
+  const auto groups = deal_groups(static_cast<int>(teams.size()), file.format.groups);
+  return make_table(groups[group], results, file.table_rules());
+}
+
 TieOutcome outcome(const LeagueState& state, const FixtureState& tie) {
   const Fixture& f = tie.fixture;
   if (!tie.is_decided()) return {};
   if (tie.walkover) return *tie.walkover;
-  const auto is_out = [&state](int team) {
-    return team == no_team || state.teams[team].status == TeamStatus::withdrawn;
-  };
-  // The result of a tie that was played stays when a team leaves afterwards.
-  const bool walkover = f.home == no_team || f.away == no_team ||
-                        std::any_of(tie.legs.begin(), tie.legs.end(), [](const LegState& leg) {
-                          return leg.played && leg.played->end == LegEnd::withdrawn;
-                        });
-  if (walkover) {
-    if (is_out(f.home) && is_out(f.away)) return {no_team, no_team};
-    return is_out(f.home) ? TieOutcome{f.away, f.home} : TieOutcome{f.home, f.away};
-  }
   int difference = tie.goals(f.home) - tie.goals(f.away);
   for (const LegState& leg : tie.legs) {
     // Only the leg that decides a level tie can end in a shoot-out.
@@ -212,10 +212,6 @@ std::string unpaired_in_words(const LeagueState& state) {
   return "round " + std::to_string(state.unpaired_round) + " of " + std::to_string(rounds) +
          " is not played: teams have left, and those that remain cannot be paired without a pair "
          "that has met already";
-}
-
-int blue_team(const Fixture& fixture, int leg) {
-  return leg % 2 == 1 ? fixture.home : fixture.away;
 }
 
 }  // namespace mirocup::league

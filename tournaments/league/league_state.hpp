@@ -138,6 +138,8 @@ struct LeagueState {
   // Returns the table. `ratings` are those of this state; they rank a league that takes entries.
   std::vector<TableRow> table(const Ratings& ratings) const;
   std::vector<TableRow> table() const;
+  // Returns the table of a group, from 0.
+  std::vector<TableRow> group_table(int group) const;
 
   // Returns the index of a fixture or a team; nothing if none has the name.
   std::optional<int> find_fixture(const std::string& id) const;
@@ -180,9 +182,5 @@ TieOutcome outcome(const LeagueState& state, const FixtureState& tie);
 
 // Returns why the rounds of a Swiss tournament ended early, a sentence; "" if they did not.
 std::string unpaired_in_words(const LeagueState& state);
-
-// Returns the team that is blue in a leg (from 1): the home team in odd legs, the away team in even
-// legs.
-int blue_team(const Fixture& fixture, int leg);
 
 }  // namespace mirocup::league

@@ -97,18 +97,11 @@ void ScheduleGrowth::give_walkover(int index) {
 std::optional<int> ScheduleGrowth::team_of(const TeamSource& source) const {
   if (source.kind == TeamSource::Kind::team) return source.index;
   if (source.kind == TeamSource::Kind::place) {
-    std::vector<LegResult> results;
-    std::vector<int> teams =
-        deal_groups(static_cast<int>(state_.teams.size()), state_.file.format.groups)[source.index];
     for (const FixtureState& f : state_.fixtures) {
-      if (f.fixture.part != Part::group || f.fixture.group != source.index + 1) continue;
-      if (!f.is_decided()) return std::nullopt;
-      for (const LegState& leg : f.legs) {
-        if (leg.played && !f.is_annulled) results.push_back(leg.played->result);
-      }
+      if (f.fixture.part == Part::group && f.fixture.group == source.index + 1 && !f.is_decided())
+        return std::nullopt;
     }
-    const auto table = make_table(teams, results, state_.file.table_rules());
-    return table[source.place].team;
+    return state_.group_table(source.index)[source.place].team;
   }
   const TieOutcome o = outcome(state_, state_.fixtures[source.index]);
   const int team = source.kind == TeamSource::Kind::winner ? o.winner : o.loser;

@@ -128,8 +128,7 @@ std::vector<std::string> leg_command(const Folder& folder, const LeagueState& st
                                      const LegId& id, const std::string& match_id) {
   const Fixture& fixture = id.fixture;
   const LeagueFile& file = state.file;
-  const int blue = blue_team(fixture, id.leg);
-  const int yellow = blue == fixture.home ? fixture.away : fixture.home;
+  const auto [blue, yellow] = fixture.colours(id.leg);
   std::vector<std::string> words =
       match_command(file, {seat_of(folder, state, blue), file.teams[blue].name},
                     {seat_of(folder, state, yellow), file.teams[yellow].name}, leg_seed(state, id));

@@ -49,7 +49,7 @@ HomeAway count_penalties(const JsonReader& decisions, bool is_home_blue) {
 
 LegPlayed read_record(const LeagueFile& file, const LegId& id, const JsonReader& record,
                       const std::string& record_path) {
-  const bool is_home_blue = blue_team(id.fixture, id.leg) == id.fixture.home;
+  const bool is_home_blue = Fixture::is_home_blue(id.leg);
   const std::string& home = file.teams[id.fixture.home].name;
   const std::string& away = file.teams[id.fixture.away].name;
   const Colours names{.blue = is_home_blue ? home : away, .yellow = is_home_blue ? away : home};
@@ -78,8 +78,7 @@ LegPlayed read_record(const LeagueFile& file, const LegId& id, const JsonReader&
 // its leg was decided.
 bool is_of_leg(const LeagueState& state, const LegId& id, const JsonReader& record) {
   if (record.at("seed").integer<std::uint64_t>() != leg_seed(state, id)) return false;
-  const int blue = blue_team(id.fixture, id.leg);
-  const int yellow = blue == id.fixture.home ? id.fixture.away : id.fixture.home;
+  const auto [blue, yellow] = id.fixture.colours(id.leg);
   for (const Team colour : both_teams) {
     const int team = colour == Team::blue ? blue : yellow;
     const JsonReader seat = record.at("teams").at(std::string(to_string(colour)));

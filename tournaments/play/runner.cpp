@@ -156,8 +156,7 @@ void Runner::add_network(std::vector<std::string>& command, const std::string& w
 
 Result<void> Runner::start_leg(Worker& worker) {
   const LegId& leg = *worker.playing;
-  const int blue = blue_team(leg.fixture, leg.leg);
-  const int yellow = blue == leg.fixture.home ? leg.fixture.away : leg.fixture.home;
+  const auto [blue, yellow] = leg.fixture.colours(leg.leg);
   // The id must be unique, because other leagues may play on this host at the same time, also a
   // copy of this one.
   const std::string folder = std::filesystem::absolute(recorder_.folder().path);

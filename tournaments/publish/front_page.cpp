@@ -63,18 +63,8 @@ Json rows_values(const Overview& o, const std::vector<TableRow>& table) {
 Json groups_values(const Overview& o) {
   Json values = Json::array();
   if (o.state.file.format.kind != FormatKind::groups) return values;
-  const auto groups =
-      deal_groups(static_cast<int>(o.state.teams.size()), o.state.file.format.groups);
-  for (std::size_t group = 0; group < groups.size(); ++group) {
-    std::vector<LegResult> results;
-    for (const FixtureState& f : o.state.fixtures) {
-      if (f.fixture.part != Part::group || f.fixture.group != static_cast<int>(group) + 1) continue;
-      for (const LegState& leg : f.legs) {
-        if (leg.played && !f.is_annulled) results.push_back(leg.played->result);
-      }
-    }
-    const auto table = make_table(groups[group], results, o.state.file.table_rules());
-    values.push_back({{"number", group + 1}, {"rows", rows_values(o, table)}});
+  for (int group = 0; group < o.state.file.format.groups; ++group) {
+    values.push_back({{"number", group + 1}, {"rows", rows_values(o, o.state.group_table(group))}});
   }
   return values;
 }

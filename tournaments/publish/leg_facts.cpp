@@ -86,7 +86,7 @@ void read_legs(system::Files& files, const Folder& folder, const LeagueState& st
       if (one.facts) continue;
       const auto bytes =
           files.read(folder.path + "/" + record, {.max_size = system::size_limit::record});
-      if (bytes) one.facts = facts_of(*bytes, blue_team(f.fixture, leg) == f.fixture.home);
+      if (bytes) one.facts = facts_of(*bytes, Fixture::is_home_blue(leg));
     }
   }
 }

@@ -41,7 +41,7 @@ struct LegView {
   // True if the leg counts for a team of it: the team plays with the entry that played.
   bool counts_for(int team) const;
   int other(int team) const { return team == home ? away : home; }
-  bool is_blue(int team) const { return (leg % 2 == 1) == (team == home); }  // blue_team()
+  bool is_blue(int team) const { return Fixture::is_home_blue(leg) == (team == home); }
   int goals(int team) const;
   int goals_against(int team) const { return goals(other(team)); }
   // Returns 'W', 'D' or 'L' for a team of a decided leg.

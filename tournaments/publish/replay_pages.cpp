@@ -337,8 +337,7 @@ Json league_part(const Overview& o, const std::string& record) {
   const FixtureState* f = fixture_of_record(o.state, record);
   const std::size_t version = record.rfind('-');
   if (f == nullptr || !f->fixture.has_both() || version == std::string::npos) return part;
-  const int blue = blue_team(f->fixture, record[version - 1] - '0');
-  const int yellow = blue == f->fixture.home ? f->fixture.away : f->fixture.home;
+  const auto [blue, yellow] = f->fixture.colours(record[version - 1] - '0');
   for (const int team : {blue, yellow}) part["names"].push_back(o.state.shown_name(team));
   return part;
 }

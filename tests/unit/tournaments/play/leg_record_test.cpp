@@ -29,8 +29,7 @@ class RecordOfALeg : public testing::Test {
 
   // A record with what a league reads.
   Json record(const std::string& end = "full_time") const {
-    const int blue = blue_team(leg_.fixture, leg_.leg);
-    const int yellow = blue == leg_.fixture.home ? leg_.fixture.away : leg_.fixture.home;
+    const auto [blue, yellow] = leg_.fixture.colours(leg_.leg);
     const auto seat = [this](int team) {
       return Json{{"name", state_.name(team)},
                   {"sha256", state_.teams[team].sha256},
