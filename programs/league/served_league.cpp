@@ -240,7 +240,12 @@ std::optional<web::Page> ServedLeague::page(const std::string& path) {
   if (path == "/" + commands_file_of(stem)) return commands_page(stem);
   if (path != "/records/" + stem + ".json" && path != "/records/" + stem + ".replay.zst")
     return std::nullopt;
-  auto bytes = files_.read(store_.folder().path + path, {.max_size = system::size_limit::replay});
+  return file(store_.folder().path + path);
+}
+
+// Returns a file of the league as it is; nothing if it cannot be read.
+std::optional<web::Page> ServedLeague::file(const std::string& path) const {
+  auto bytes = files_.read(path, {.max_size = system::size_limit::page});
   if (!bytes) return std::nullopt;
   return web::Page{type_of(path), "", std::move(*bytes)};
 }
@@ -268,11 +273,9 @@ std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
   if (std::filesystem::path(name).lexically_normal() != name ||
       std::count(name.begin(), name.end(), '/') != 1)
     return std::nullopt;
-  auto kept =
-      files_.read(store_.folder().site() + "/" + name, {.max_size = system::size_limit::page});
-  if (kept) return web::Page{type_of(name), "", std::move(*kept)};
-  for (const SiteFile& file : parts().all()) {
-    if (file.name == name) return web::Page{type_of(name), "", file.bytes};
+  if (auto kept = file(store_.folder().site() + "/" + name)) return kept;
+  for (const SiteFile& made : parts().all()) {
+    if (made.name == name) return web::Page{type_of(name), "", made.bytes};
   }
   return std::nullopt;
 }
@@ -281,13 +284,10 @@ std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
 std::optional<web::Page> ServedLeague::page_of_closing_round(const std::string& name) {
   const bool is_plain = std::filesystem::path(name).lexically_normal() == name;
   if (!is_plain || name.starts_with('.') || name.starts_with('/')) return std::nullopt;
-  auto bytes = files_.read(store_.folder().closing_round().site() + "/" + name,
-                           {.max_size = system::size_limit::page});
-  if (!bytes) return std::nullopt;
+  auto page = file(store_.folder().closing_round().site() + "/" + name);
   const bool has_own_script = name.starts_with("replays/") || name == playground_name;
-  const std::string type = type_of(name);
-  return web::Page{type, type.starts_with("text/html") && !has_own_script ? policy : "",
-                   std::move(*bytes)};
+  if (page && name.ends_with(".html") && !has_own_script) page->policy = policy;
+  return page;
 }
 
 // Requires mutex_. Returns the files of the workbench; none if it was not built.
@@ -320,9 +320,7 @@ std::optional<web::Page> ServedLeague::workbench_page(const std::string& name) {
 std::optional<web::Page> ServedLeague::commands_page(const std::string& stem) {
   const std::string record = "records/" + stem + ".json";
   const std::string name = commands_file_of(record);
-  auto kept =
-      files_.read(store_.folder().site() + "/" + name, {.max_size = system::size_limit::page});
-  if (kept) return web::Page{type_of(name), "", std::move(*kept)};
+  if (auto kept = file(store_.folder().site() + "/" + name)) return kept;
   if (!proof("")) return std::nullopt;
   const auto loaded = record::load(files_, store_.folder().path + "/" + record);
   if (!loaded) return std::nullopt;
@@ -335,19 +333,13 @@ std::optional<web::Page> ServedLeague::replay(const std::string& stem) {
   const std::string html = replay_page_of(record);
   const Json part = part_of(record);
   if (has_page_with(files_, store_.folder(), record, part)) {
-    auto made =
-        files_.read(store_.folder().site() + "/" + html, {.max_size = system::size_limit::page});
-    if (made) return web::Page{type_of(html), "", std::move(*made)};
+    if (auto kept = file(store_.folder().site() + "/" + html)) return kept;
   }
-  const std::lock_guard one_at_a_time(replaying_);
-  auto loaded = record::load(files_, store_.folder().path + "/" + record);
-  if (!loaded) return std::nullopt;
-  name_teams(*loaded, part);
   const std::string commands = std::filesystem::path(commands_file_of(record)).filename();
-  auto page = web::replay_page(*loaded, web::Times::left_out, {}, proof("../", commands),
-                               web::Wheels::left_out, record::text_in(part, "links"), "../");
-  if (!page) return std::nullopt;
-  return web::Page{type_of(html), "", std::move(page->html)};
+  auto made =
+      made_page(store_.folder().path + "/" + record, record::of_nobody, part, "../", commands);
+  if (!made) return std::nullopt;
+  return web::Page{type_of(html), "", std::move(*made)};
 }
 
 Json ServedLeague::part_of(const std::string& record) {
@@ -396,15 +388,7 @@ std::optional<std::string> ServedLeague::own_replay(const std::string& name,
   // The page is shown at another address than that from which its links lead to the league.
   part["links"] =
       system::replaced(record::text_in(part, "links"), "href=\"", "href=\"../../replays/") + links;
-  // A leg of another version may go another way here: then its page is the one that is kept.
-  if (auto own = page_with_own(store_.folder().path + "/" + record, whose, part, own_replays_root))
-    return own;
-  auto page = replay(name);
-  if (!page) return std::nullopt;
-  std::string& html = page->bytes;
-  for (const std::string file : {"\"module_file\":\"", "\"commands_file\":\""})
-    html = system::replaced(std::move(html), file, file + "../../replays/");
-  return system::replaced(std::move(html), "=\"../module/", "=\"../../module/");
+  return made_page(store_.folder().path + "/" + record, whose, part, own_replays_root);
 }
 
 std::map<std::string, int> ServedLeague::booked_entries() {
@@ -459,23 +443,26 @@ std::optional<std::string> ServedLeague::replay_of(const std::string& record,
                                                    const std::string& root) {
   const std::string links =
       "<nav class=\"path\" aria-label=\"Back\">" + hand_in_link(root) + "</nav>";
-  return page_with_own(record, whose, {{"links", links}, {"names", Json::array()}}, root);
+  return made_page(record, whose, {{"links", links}, {"names", Json::array()}}, root);
 }
 
-// Returns the page of a record with what its teams may see, and with what the league puts on it
-// (league_part()).
-std::optional<std::string> ServedLeague::page_with_own(const std::string& record,
-                                                       const record::Whose& whose, const Json& part,
-                                                       const std::string& root) {
+// Makes the page of a record, with what the teams in `whose` may see, and with what the league puts
+// on it (league_part()). `commands`: the file beside the page with the leg's commands; "": the page
+// has them.
+std::optional<std::string> ServedLeague::made_page(const std::string& record,
+                                                   const record::Whose& whose, const Json& part,
+                                                   const std::string& root,
+                                                   const std::string& commands) {
   const std::lock_guard one_at_a_time(replaying_);
   auto loaded = record::load(files_, record);
   if (!loaded) return std::nullopt;
   name_teams(*loaded, part);
   const bool has_own = record::has_thoughts(files_, record, whose);
   const auto own = record::read_own_texts(files_, record, has_own ? whose : record::of_nobody);
-  const auto proven = proof(root);
+  const auto proven = proof(root, commands);
+  const bool has_wheels = proven && commands.empty();
   auto page = web::replay_page(*loaded, web::Times::left_out, own.value_or(record::OwnTexts{}),
-                               proven, proven ? web::Wheels::shown : web::Wheels::left_out,
+                               proven, has_wheels ? web::Wheels::shown : web::Wheels::left_out,
                                record::text_in(part, "links"), root);
   if (!page) return std::nullopt;
   return std::move(page->html);

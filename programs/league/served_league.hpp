@@ -104,8 +104,10 @@ class ServedLeague {
   bool are_pages_fresh() const;
   std::optional<web::Page> replay(const std::string& stem);
   Json part_of(const std::string& record);
-  std::optional<std::string> page_with_own(const std::string& record, const record::Whose& whose,
-                                           const Json& part, const std::string& root);
+  std::optional<std::string> made_page(const std::string& record, const record::Whose& whose,
+                                       const Json& part, const std::string& root,
+                                       const std::string& commands = "");
+  std::optional<web::Page> file(const std::string& path) const;
   const std::vector<web::WorkbenchFile>& workbench();
   std::optional<web::Page> workbench_page(const std::string& name);
   std::optional<web::Page> module_page(const std::string& name);

@@ -6,6 +6,7 @@
 #include "tournaments/handin/desk_html.hpp"
 #include "tournaments/handin/progress.hpp"
 #include "tournaments/handin/replies.hpp"
+#include "tournaments/publish/site_file.hpp"
 #include "web/http/form.hpp"
 
 #include <array>
@@ -255,10 +256,13 @@ web::Reply Portal::own_replay(const Call& call) {
                                                              StaffDesk::decision_path(leg)) +
                                         "\">Decide about this leg</a></p>"
                                   : "";
-    auto page =
-        state_.options.replay(name_of_leg(leg), sees_all ? record::of_both : own_side(leg), links);
-    if (!page) break;
-    return replay_reply(std::move(page));
+    if (auto page = state_.options.replay(name_of_leg(leg),
+                                          sees_all ? record::of_both : own_side(leg), links))
+      return replay_reply(std::move(page));
+    // A leg of another version may go another way here: then its page is the one that is kept.
+    return {
+        .status = 303,
+        .headers = {{"Location", web::root_of(call.request.path) + replay_page_of(leg.record)}}};
   }
   return problem_reply(404, "your team has no leg of this name");
 }
