@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/handin/sessions.hpp"
 
-#include "record/json_reader.hpp"
+#include "record/json_fields.hpp"
 #include "system/digest.hpp"
 #include "system/secret.hpp"
+#include "web/http/address.hpp"
 
 #include <algorithm>
-#include <arpa/inet.h>
 
 namespace mirocup::league {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 
 constexpr const char* sessions_schema = "mirocup/sessions/1";
 constexpr std::size_t cookie_bytes = 32;
 
 }  // namespace
+
+static void list_fields(auto& f, Session& session) {
+  f("sha256", session.sha256);
+  f("token_sha256", session.token_sha256);
+  f("ends", session.ends);
+}
 
 std::string Sessions::begin(const std::string& token_sha256, std::int64_t now) {
   std::erase_if(sessions_, [now](const Session& session) { return session.ends <= now; });
@@ -52,29 +57,19 @@ void Sessions::end(std::string_view cookie) {
 }
 
 std::string Sessions::text() const {
-  Json list = Json::array();
-  for (const Session& session : sessions_) {
-    list.push_back({{"sha256", session.sha256},
-                    {"token_sha256", session.token_sha256},
-                    {"ends", session.ends}});
-  }
-  return record::json_text({{"schema", sessions_schema}, {"sessions", list}}, 1) + "\n";
+  return record::json_text(
+             {{"schema", sessions_schema}, {"sessions", record::fields_json(sessions_)}}, 1) +
+         "\n";
 }
 
 Sessions Sessions::parse(const std::string& text) {
-  return record::read_json<Sessions>(
-             text, "sessions", Errc::damaged,
-             [](const record::JsonReader& json) {
-               json.expect_schema(sessions_schema);
-               Sessions sessions;
-               for (const auto& one : json.at("sessions").elements()) {
-                 sessions.sessions_.push_back({one.at("sha256").text(),
-                                               one.at("token_sha256").text(),
-                                               one.at("ends").integer<std::int64_t>()});
-               }
-               return sessions;
-             })
-      .value_or(Sessions());
+  const auto read = [](const record::JsonReader& json) {
+    json.expect_schema(sessions_schema);
+    Sessions sessions;
+    record::FieldReader(json)("sessions", sessions.sessions_);
+    return sessions;
+  };
+  return record::read_json<Sessions>(text, "sessions", Errc::damaged, read).value_or(Sessions());
 }
 
 std::string cookie_in(std::string_view header, std::string_view name) {
@@ -93,7 +88,7 @@ std::string cookie_in(std::string_view header, std::string_view name) {
 }
 
 std::int64_t WrongTokens::note(const std::string& address, std::int64_t now) {
-  const std::string network = network_of(address);
+  const std::string network = web::counted_address(address);
   if (!addresses_.contains(network) && addresses_.size() >= max_addresses) {
     if (now > swept_) {
       std::erase_if(addresses_,
@@ -113,13 +108,6 @@ std::int64_t WrongTokens::note(const std::string& address, std::int64_t now) {
   const std::int64_t wait = std::min(max_wait, std::int64_t{1} << doubled);
   count.waits = now + wait;
   return wait;
-}
-
-std::string network_of(const std::string& address) {
-  in6_addr v6{};
-  if (inet_pton(AF_INET6, address.c_str(), &v6) != 1) return address;
-  constexpr int network_bytes = 8;
-  return {v6.s6_addr, v6.s6_addr + network_bytes};
 }
 
 }  // namespace mirocup::league

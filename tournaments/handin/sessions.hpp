@@ -21,8 +21,6 @@ struct Session {
   std::string sha256;        // of the cookie's value
   std::string token_sha256;  // of the token that was typed
   std::int64_t ends = 0;     // s since 1970
-
-  bool operator==(const Session&) const = default;
 };
 
 class Sessions {
@@ -80,8 +78,5 @@ class WrongTokens {
   std::map<std::string, Count> addresses_;
   std::int64_t swept_ = 0;  // when forgotten addresses were removed last
 };
-
-// Returns the part of an address that stands for one person: of IPv6 the first 64 bits, as bytes.
-std::string network_of(const std::string& address);
 
 }  // namespace mirocup::league
