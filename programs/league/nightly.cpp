@@ -143,14 +143,10 @@ std::string report(const LeagueState& state, const std::vector<RosterRow>& rows,
     }();
     if (row.playing_entry != before)
       text << row.team << " plays with entry " << row.playing_entry << " from this night on\n";
-    if (row.is_missing()) text << row.team << " has not handed in\n";
-    if (row.was_refused() || !row.has_ended)
-      text << system::printable(row.message) << " (" << shown_time(state.file, row.handed_in)
-           << ")\n";
     if (row.status == TeamStatus::paused)
       text << row.team << " is paused: " << system::printable(row.why) << '\n';
-    for (const std::string& note : row.notes)
-      text << row.team << ": " << system::printable(note) << '\n';
+    for (const std::string& told : row.told())
+      text << row.team << ": " << system::printable(told) << '\n';
     // The first of the teams names the others.
     const auto& same = row.same_as;
     if (same.empty() || *std::min_element(same.begin(), same.end()) < row.team) continue;

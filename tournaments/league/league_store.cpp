@@ -10,20 +10,14 @@
 
 namespace mirocup::league {
 
-Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::string* notice,
-                                      Clock clock) {
-  auto store = load(files, std::move(folder), notice, std::move(clock));
+Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::string* notice) {
+  auto store = open_unplanned(files, std::move(folder), notice);
   if (store) plan(store->state_);
   return store;
 }
 
-Result<LeagueStore> LeagueStore::open_unplanned(system::Files& files, Folder folder) {
-  return load(files, std::move(folder), nullptr, system::now_s);
-}
-
-// A league that has not started is not planned yet.
-Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::string* notice,
-                                      Clock clock) {
+Result<LeagueStore> LeagueStore::open_unplanned(system::Files& files, Folder folder,
+                                                std::string* notice) {
   MIROCUP_TRY_VOID(expect_league(files, folder));
   MIROCUP_TRY(const auto text, files.read_named(folder.config(), system::size_limit::league_file));
   MIROCUP_TRY(auto file, parse_league_file(text, folder.config()));
@@ -44,9 +38,7 @@ Result<LeagueStore> LeagueStore::load(system::Files& files, Folder folder, std::
   state.shown_names = shown_names(state.file, people);
   MIROCUP_TRY(state.pruned_nights, read_pruned_nights(files, folder));
   MIROCUP_TRY(state.notice, read_notice(files, folder));
-  LeagueStore store(std::move(folder), std::move(journal), std::move(state), std::move(clock));
-  store.applied_ = store.journal_.lines().size();
-  return store;
+  return LeagueStore(std::move(folder), std::move(journal), std::move(state));
 }
 
 Result<void> LeagueStore::refresh() {
@@ -83,7 +75,7 @@ Result<void> LeagueStore::write(const Event& event) {
 // Every line has the time at which it was written.
 Result<void> LeagueStore::write_line(const Event& event) {
   Json fields = fields_of(event);
-  if (!fields.contains("at")) fields["at"] = utc_text(clock_());
+  if (!fields.contains("at")) fields["at"] = utc_text(system::now_s());
   return journal_.append(std::string(kind_of(event)), std::move(fields));
 }
 

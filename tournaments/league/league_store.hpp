@@ -11,25 +11,23 @@
 #include "tournaments/journal/journal.hpp"
 #include "tournaments/league/folder.hpp"
 
-#include <cstdint>
-#include <functional>
+#include <cstddef>
+#include <string>
 
 namespace mirocup::league {
 
 class LeagueStore {
  public:
-  using Clock = std::function<std::int64_t()>;
-
   // Opens the league in the folder. `notice` may get a sentence that the user should read. `files`
   // must outlive the store. Errors: Errc::input if the folder holds no league, or if league.json is
-  // wrong or has changed since the start; Errc::damaged if the journal is damaged. New lines of the
-  // journal get the time of `clock`, in s since 1970.
+  // wrong or has changed since the start; Errc::damaged if the journal is damaged.
   static Result<LeagueStore> open(system::Files& files, Folder folder,
-                                  std::string* notice = nullptr, Clock clock = system::now_s);
+                                  std::string* notice = nullptr);
 
   // Opens a league like open(), for a caller that needs only the teams. A league that has not
   // started gets no fixtures, which saves most of the time.
-  static Result<LeagueStore> open_unplanned(system::Files& files, Folder folder);
+  static Result<LeagueStore> open_unplanned(system::Files& files, Folder folder,
+                                            std::string* notice = nullptr);
 
   const LeagueState& state() const { return state_; }
   const Journal& journal() const { return journal_; }
@@ -46,22 +44,19 @@ class LeagueStore {
   Result<void> write(const Event& event);
 
  private:
-  LeagueStore(Folder folder, Journal journal, LeagueState state, Clock clock)
+  LeagueStore(Folder folder, Journal journal, LeagueState state)
       : folder_(std::move(folder)),
         journal_(std::move(journal)),
         state_(std::move(state)),
-        clock_(std::move(clock)) {}
+        applied_(journal_.lines().size()) {}
 
-  static Result<LeagueStore> load(system::Files& files, Folder folder, std::string* notice,
-                                  Clock clock);
   Result<void> write_line(const Event& event);
   Result<void> rebuild();
 
   Folder folder_;
   Journal journal_;
   LeagueState state_;
-  Clock clock_;
-  std::size_t applied_ = 0;  // number of applied lines
+  std::size_t applied_;  // number of applied lines
 };
 
 }  // namespace mirocup::league
