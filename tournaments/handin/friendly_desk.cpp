@@ -149,13 +149,7 @@ Json FriendlyDesk::json_of(const Friendly& one, const std::string& viewer, LegCo
   json["replay"] = "/hand-in/friendlies" + path + "/replay";
   const bool has_log = state_.files.exists(log_path(state_.folder, leg_of(one, viewer)));
   json["log"] = has_log ? Json("/api/v1/friendlies" + path + "/log") : Json();
-  if (const auto cost = costs.of(leg_of(one, viewer))) {
-    json["cpu_seconds"] = cost->cpu_seconds;
-    json["bank_seconds"] = cost->bank_seconds;
-    json["slowest_tick_ms"] = cost->slowest_tick_ms;
-    json["late_ticks"] = cost->late_ticks;
-    json["fouls"] = cost->fouls;
-  }
+  json.update(costs.of(leg_of(one, viewer)));
   return json;
 }
 

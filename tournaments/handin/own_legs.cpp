@@ -49,8 +49,8 @@ std::vector<OwnLeg> own_legs(const SeenState& seen, const std::string& team) {
   return legs;
 }
 
-std::optional<LegCost> LegCosts::of(const OwnLeg& leg) {
-  if (leg.record.empty()) return std::nullopt;
+Json LegCosts::of(const OwnLeg& leg) {
+  if (leg.record.empty()) return Json::object();
   const std::string key = leg.record + " " + leg.colour;
   {
     const std::lock_guard lock(mutex_);
@@ -58,22 +58,23 @@ std::optional<LegCost> LegCosts::of(const OwnLeg& leg) {
   }
   const auto text =
       files_.read(folder_.path + "/" + leg.record, {.max_size = system::size_limit::record});
-  if (!text) return std::nullopt;
+  if (!text) return Json::object();
   const auto cost =
-      record::read_json<LegCost>(*text, leg.record, Errc::damaged, [&leg](const JsonReader& json) {
+      record::read_json<Json>(*text, leg.record, Errc::damaged, [&leg](const JsonReader& json) {
         const JsonReader budget = json.at("budget").at(leg.colour);
-        LegCost read;
-        read.cpu_seconds = budget.at("cpu_seconds").as<double>();
-        read.bank_seconds = budget.at("bank_seconds").as<double>();
-        read.slowest_tick_ms = budget.at("slowest_tick_ms").as<double>();
-        read.late_ticks = budget.at("late_ticks").integer<int>(0);
+        Json read;
+        for (const char* key : {"cpu_seconds", "bank_seconds", "slowest_tick_ms"})
+          read[key] = budget.at(key).number();
+        read["late_ticks"] = budget.at("late_ticks").integer<int>(0);
+        int fouls = 0;
         for (const JsonReader& call : json.at("decisions").elements(0, max_decisions)) {
           const bool is_foul = !call.at("offender").is_null() && !call.at("restart").is_null();
-          if (is_foul && call.at("offender").text() == leg.colour) ++read.fouls;
+          if (is_foul && call.at("offender").text() == leg.colour) ++fouls;
         }
+        read["fouls"] = fouls;
         return read;
       });
-  if (!cost) return std::nullopt;
+  if (!cost) return Json::object();
   const std::lock_guard lock(mutex_);
   return known_[key] = *cost;
 }
@@ -94,7 +95,6 @@ nlohmann::ordered_json own_legs_json(system::Files& files, const Folder& folder,
                                      const std::vector<OwnLeg>& legs, LegCosts& costs) {
   Json list = Json::array();
   for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
-    const auto cost = costs.of(*leg);
     Json one{{"fixture", leg->fixture},
              {"leg", leg->leg},
              {"opponent", leg->opponent},
@@ -112,12 +112,7 @@ nlohmann::ordered_json own_legs_json(system::Files& files, const Folder& folder,
       if (record::has_thoughts(files, folder.path + "/" + leg->record, own_side(*leg)))
         one["thoughts"] = std::string(own_replays_path) + name_of_leg(*leg) + ".html";
     }
-    if (cost) {
-      one["cpu_seconds"] = cost->cpu_seconds;
-      one["bank_seconds"] = cost->bank_seconds;
-      one["slowest_tick_ms"] = cost->slowest_tick_ms;
-      one["late_ticks"] = cost->late_ticks;
-    }
+    one.update(costs.of(*leg));
     list.push_back(std::move(one));
   }
   return list;

@@ -8,7 +8,7 @@
 #include "tournaments/league/folder.hpp"
 #include "tournaments/publish/snapshot.hpp"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <map>
 #include <mutex>
@@ -40,29 +40,23 @@ struct OwnLeg {
 // team.
 std::vector<OwnLeg> own_legs(const SeenState& seen, const std::string& team);
 
-// The time that a team's process took in a leg, and the team's fouls, from the record.
-struct LegCost {
-  double cpu_seconds = 0.0;
-  double bank_seconds = 0.0;  // processor time that the team was allowed
-  double slowest_tick_ms = 0.0;
-  int late_ticks = 0;
-  int fouls = 0;  // decisions that name the team as offender and give a restart
-};
-
-// Reads each record once. Threads: any.
+// The time that a team's process took in a leg, and the team's fouls, from the record. Reads each
+// record once. Threads: any.
 class LegCosts {
  public:
   explicit LegCosts(system::Files& files, Folder folder)
       : files_(files), folder_(std::move(folder)) {}
 
-  // Returns nothing if the record is missing or cannot be read.
-  std::optional<LegCost> of(const OwnLeg& leg);
+  // Returns the keys cpu_seconds, bank_seconds (the processor time that the team was allowed),
+  // slowest_tick_ms, late_ticks and fouls (decisions that name the team as offender and give a
+  // restart); {} if the record is missing or cannot be read.
+  nlohmann::ordered_json of(const OwnLeg& leg);
 
  private:
   system::Files& files_;
   Folder folder_;
-  std::mutex mutex_;                      // guards known_
-  std::map<std::string, LegCost> known_;  // by record and colour
+  std::mutex mutex_;                                     // guards known_
+  std::map<std::string, nlohmann::ordered_json> known_;  // by record and colour
 };
 
 // Returns the sides of a leg whose thoughts and log a team may see: the team's own side.

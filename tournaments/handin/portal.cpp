@@ -25,22 +25,11 @@ std::string reason_of(const web::Reply& refusal) {
   return record::text_in(record::parse_json(refusal.bytes).value, "error");
 }
 
-constexpr const char* page_policy =
-    "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'; "
-    "form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
-
 web::Reply reply_to(const Refusal& refusal) {
   web::Reply reply = problem_reply(refusal.status, refusal.why);
   if (refusal.status == 401) reply.headers.emplace_back("WWW-Authenticate", "Bearer");
   if (refusal.wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal.wait));
   return reply;
-}
-
-web::Reply page_reply(int status, std::string html) {
-  return {.status = status,
-          .type = "text/html; charset=utf-8",
-          .bytes = std::move(html),
-          .headers = {{"Content-Security-Policy", page_policy}}};
 }
 
 // Returns the number in ?before=N, below which the entries of a list are.
@@ -181,13 +170,13 @@ std::optional<web::Reply> Portal::admit(Call& call, bool is_page) {
   if (is_page) {
     const std::lock_guard lock(state_.mutex);
     if (!doorkeeper_.has_credentials(call.request))
-      return page_reply(200, log_in_page("", web::root_of(call.request.path)));
+      return desk_reply(200, log_in_page("", web::root_of(call.request.path)));
   }
   auto who =
       visitor(call.request, call.request.is_reading() ? Purpose::reading : Purpose::changing);
   if (auto* refusal = std::get_if<web::Reply>(&who)) {
     if (!is_page) return std::move(*refusal);
-    return page_reply(refusal->status,
+    return desk_reply(refusal->status,
                       log_in_page(reason_of(*refusal), web::root_of(call.request.path)));
   }
   call.visitor = std::get<Visitor>(std::move(who));
@@ -281,7 +270,7 @@ std::variant<Json, web::Reply> Portal::entry_of(const Call& call) {
 web::Reply Portal::entry_page_of(const Call& call) {
   auto entry = entry_of(call);
   if (auto* refused = std::get_if<web::Reply>(&entry)) return std::move(*refused);
-  return page_reply(200, entry_page(std::get<Json>(entry), state_.options.time_in_words,
+  return desk_reply(200, entry_page(std::get<Json>(entry), state_.options.time_in_words,
                                     web::root_of(call.request.path), call.visitor.sees_all()));
 }
 
@@ -348,7 +337,7 @@ web::Reply Portal::team_page(const std::string& team, int before) {
   desk.time_in_words = state_.options.time_in_words;
   desk.shown_name = state_.options.shown_name;
   if (state_.options.digest) desk.digest = state_.options.digest(team);
-  return page_reply(200, team_desk_page(desk));
+  return desk_reply(200, team_desk_page(desk));
 }
 
 Json Portal::progress(const std::string& team, const Json& friendlies) const {
@@ -441,14 +430,14 @@ web::Reply Portal::show_log(const Call& call) {
 web::Reply Portal::log_in(const Call& call) {
   const auto form = web::read_form(call.body);
   const std::string root = web::root_of(call.request.path);
-  if (!form) return page_reply(400, log_in_page("the form did not arrive completely", root));
+  if (!form) return desk_reply(400, log_in_page("the form did not arrive completely", root));
   const std::lock_guard lock(state_.mutex);
   const auto done =
       doorkeeper_.log_in(call.request, value_of(*form, "token"), state_.options.now());
   if (!done)
-    return page_reply(503, log_in_page("this server cannot do that now; try again later", root));
+    return desk_reply(503, log_in_page("this server cannot do that now; try again later", root));
   if (const auto* refusal = std::get_if<Refusal>(&*done)) {
-    web::Reply reply = page_reply(refusal->status, log_in_page(refusal->why, root));
+    web::Reply reply = desk_reply(refusal->status, log_in_page(refusal->why, root));
     if (refusal->wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal->wait));
     return reply;
   }

@@ -17,6 +17,16 @@ web::Reply problem_reply(int status, const std::string& why) {
   return json_reply(status, {{"error", why}});
 }
 
+web::Reply desk_reply(int status, std::string html) {
+  constexpr const char* policy =
+      "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'; "
+      "form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
+  return {.status = status,
+          .type = "text/html; charset=utf-8",
+          .bytes = std::move(html),
+          .headers = {{"Content-Security-Policy", policy}}};
+}
+
 web::Reply log_reply(system::Files& files, const std::string& path) {
   const auto log = files.read_if_there(path, {.max_size = system::size_limit::log});
   if (!log) return host_failed(log.error());

@@ -17,6 +17,9 @@ namespace mirocup::league {
 web::Reply json_reply(int status, const nlohmann::ordered_json& json);
 web::Reply problem_reply(int status, const std::string& why);
 
+// Shows a page of the desk, which takes content and sends forms nowhere else.
+web::Reply desk_reply(int status, std::string html);
+
 // Shows a log as it may be printed; an empty one if there is none.
 web::Reply log_reply(system::Files& files, const std::string& path);
 

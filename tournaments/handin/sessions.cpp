@@ -12,7 +12,6 @@ namespace mirocup::league {
 
 namespace {
 
-
 constexpr const char* sessions_schema = "mirocup/sessions/1";
 constexpr std::size_t cookie_bytes = 32;
 

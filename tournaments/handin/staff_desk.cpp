@@ -5,6 +5,7 @@
 #include "system/number_of.hpp"
 #include "system/text.hpp"
 #include "tournaments/handin/desk_html.hpp"
+#include "tournaments/handin/replies.hpp"
 #include "tournaments/league/acts.hpp"
 #include "tournaments/league/book.hpp"
 #include "tournaments/league/health.hpp"
@@ -17,10 +18,6 @@
 namespace mirocup::league {
 
 namespace {
-
-constexpr const char* staff_policy =
-    "default-src 'none'; style-src 'self'; script-src 'self'; form-action 'self'; base-uri 'none'; "
-    "frame-ancestors 'none'";
 
 int number_in(const Form& form, const std::string& key) {
   return system::number_of<int>(value_of(form, key)).value_or(0);
@@ -184,13 +181,6 @@ Json attention_values(const std::vector<RosterRow>& rows) {
           {{"what", "The same file as another team, see the table:"}, {"teams", same}}};
 }
 
-web::Reply staff_reply(int status, std::string html) {
-  return {.status = status,
-          .type = "text/html; charset=utf-8",
-          .bytes = std::move(html),
-          .headers = {{"Content-Security-Policy", staff_policy}, {"Cache-Control", "no-store"}}};
-}
-
 // The host is told the reason, so the staff is, too.
 web::Reply broken(const Error& error) {
   return {.status = 503, .bytes = error.what + "\n"};
@@ -246,8 +236,8 @@ web::Reply StaffDesk::page(const Visitor& reader, const Shown& shown) const {
               {"teams", teams_values(state, *rows)},
               {"decisions", decisions}};
   add_schedule(values, state, *sheets);
-  return staff_reply(shown.status,
-                     desk_page("Staff", filled_page("staff.html", values), shown.root));
+  return desk_reply(shown.status,
+                    desk_page("Staff", filled_page("staff.html", values), shown.root));
 }
 
 std::string StaffDesk::decision_path(const OwnLeg& leg) {
@@ -285,7 +275,7 @@ web::Reply StaffDesk::legs_of(const Visitor& reader, const std::string& team,
         {{"number", number},
          {"team", team},
          {"state", handed.is_late && handed.is_accepted() ? "late" : to_string(handed.state)}});
-  return staff_reply(
+  return desk_reply(
       200, desk_page("Legs of " + state.shown_name_of(team),
                      filled_page("staff_legs.html", {{"entries", entries}, {"legs", rows}})));
 }
@@ -330,8 +320,7 @@ web::Reply StaffDesk::grades() const {
   return {.status = 200,
           .type = "text/csv; charset=utf-8",
           .bytes = std::move(file->bytes),
-          .headers = {{"Content-Disposition", "attachment; filename=\"grades.csv\""},
-                      {"Cache-Control", "no-store"}}};
+          .headers = {{"Content-Disposition", "attachment; filename=\"grades.csv\""}}};
 }
 
 }  // namespace mirocup::league
