@@ -196,7 +196,7 @@ class ShownRound {
         !round->fixtures.empty() && round->fixtures.front().state->fixture.part == Part::knockout;
     std::set<LegName> shown;
     const auto add_standing = [&]() -> Result<void> {
-      MIROCUP_TRY(const auto then, state_with_legs(state, store.journal(), round->key, shown));
+      MIROCUP_TRY(const auto then, state_through(state, store.journal(), round->key, &shown));
       const std::string heading =
           shown.empty() ? "Before " + title_ : "After leg " + std::to_string(shown.size());
       standings_.push_back(standing_html(overview(then, known), heading, is_of_knockout));

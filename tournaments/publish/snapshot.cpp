@@ -22,11 +22,9 @@ Result<Round> find_round(const LeagueState& whole, const std::string& name) {
               "there is no round " + name + "; rounds are named like r3, without the fixture");
 }
 
-// Returns the state after the rounds before `last` and those legs of it for which shows(fixture,
-// leg) is true.
-template <class Shows>
+// As state_through(), for a round in its order.
 Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal, Round last,
-                                Shows shows) {
+                                const std::set<LegName>* legs = nullptr) {
   LeagueState state = new_league(whole.file);
   state.shown_names = whole.shown_names;
   state.pruned_nights = whole.pruned_nights;
@@ -52,7 +50,8 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
       const auto index = state.find_fixture(id);
       if (!index) continue;
       const Round of = state.fixtures[*index].fixture.round_order();
-      if (of > last || (of == last && !shows(id, record::value_in(line, "leg", 0)))) continue;
+      const LegName leg{id, record::value_in(line, "leg", 0)};
+      if (of > last || (of == last && legs != nullptr && !legs->contains(leg))) continue;
     }
     if (undone.contains(number) && is_of_person(*event)) {
       note_undone_decision(state, *event, number);
@@ -75,14 +74,9 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
 }  // namespace
 
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
-                                  const std::string& round) {
-  return find_round(whole, round).and_then([&](Round last) {
-    return state_up_to(whole, journal, last, [](const std::string&, int) { return true; });
-  });
-}
-
-Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal& journal) {
-  return state_up_to(whole, journal, {}, [](const std::string&, int) { return false; });
+                                  const std::string& round, const std::set<LegName>* legs) {
+  MIROCUP_TRY(const auto last, find_round(whole, round));
+  return state_up_to(whole, journal, last, legs);
 }
 
 bool sees_all(Viewer viewer, const LeagueState& whole) {
@@ -102,17 +96,8 @@ SeenState seen_by(Viewer viewer, const LeagueState& whole, const LeagueState& re
 
 Result<LeagueState> released_state(const LeagueState& whole, const Journal& journal) {
   if (sees_all(Viewer::visitor, whole)) return whole;
-  if (whole.release.through.empty()) return state_before_rounds(whole, journal);
+  if (whole.release.through.empty()) return state_up_to(whole, journal, {});
   return state_through(whole, journal, whole.release.through);
-}
-
-Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
-                                    const std::string& round, const std::set<LegName>& legs) {
-  return find_round(whole, round).and_then([&](Round last) {
-    return state_up_to(whole, journal, last, [&legs](const std::string& fixture, int leg) {
-      return legs.contains({fixture, leg});
-    });
-  });
 }
 
 }  // namespace mirocup::league

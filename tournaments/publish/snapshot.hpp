@@ -16,14 +16,13 @@ namespace mirocup::league {
 
 // Returns the state of a league as if nothing had been played after a round. "r3" is the third
 // round of a table or of all groups; "k1" is the first round of a knockout, which follows all
-// groups. `whole` is the present state. Withdrawals and pauses show in every round. Errors:
+// groups. `whole` is the present state. Withdrawals and pauses show in every round. If `legs` is
+// set, only these legs of the round count as played. Errors:
 // Errc::input if the league lacks the round, or if an event of a shown round depends on an event of
 // a later round.
 Result<LeagueState> state_through(const LeagueState& whole, const Journal& journal,
-                                  const std::string& round);
-
-// Returns the state before the first round.
-Result<LeagueState> state_before_rounds(const LeagueState& whole, const Journal& journal);
+                                  const std::string& round,
+                                  const std::set<LegName>* legs = nullptr);
 
 // The people who look at a league. A team counts as a team if it looks at its own legs and its own
 // digest, and as a visitor if it looks at the league.
@@ -55,9 +54,5 @@ class SeenState {
 };
 
 SeenState seen_by(Viewer viewer, const LeagueState& whole, const LeagueState& released);
-
-// Like state_through(), but of the given round only the legs in `legs` count as played.
-Result<LeagueState> state_with_legs(const LeagueState& whole, const Journal& journal,
-                                    const std::string& round, const std::set<LegName>& legs);
 
 }  // namespace mirocup::league

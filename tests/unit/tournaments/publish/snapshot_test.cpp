@@ -91,13 +91,13 @@ TEST(Snapshot, ShowsARoundLegByLeg) {
     for (const FixtureState& f : season.state.fixtures) {
       if (round_of(f.fixture) != first || !f.fixture.has_both()) continue;
       for (int leg = 1; leg <= f.needed(); ++leg) {
-        const auto before = state_with_legs(season.state, season.journal, first, shown);
+        const auto before = state_through(season.state, season.journal, first, &shown);
         ASSERT_TRUE(test_support::is_ok(before));
         EXPECT_EQ(before->results().size(), shown.size());
         shown.insert({f.fixture.id(), leg});
       }
     }
-    const auto after = state_with_legs(season.state, season.journal, first, shown);
+    const auto after = state_through(season.state, season.journal, first, &shown);
     ASSERT_TRUE(after);
     EXPECT_EQ(after->played(), whole->played());
   }
