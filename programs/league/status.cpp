@@ -6,7 +6,7 @@
 #include "programs/league/publishing.hpp"
 #include "record/statistics/report.hpp"
 #include "tournaments/league/book.hpp"
-#include "tournaments/league/decision_view.hpp"
+#include "tournaments/league/decisions.hpp"
 #include "tournaments/league/health.hpp"
 #include "tournaments/league/roster.hpp"
 #include "tournaments/league/sheets.hpp"

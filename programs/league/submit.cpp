@@ -3,7 +3,6 @@
 // mirocup league submit: stores an entry, checks it, and plays with it if it passes.
 #include "programs/league/commands.hpp"
 #include "system/locations.hpp"
-#include "tournaments/league/firasim_team.hpp"
 #include "tournaments/league/submission.hpp"
 
 #include <filesystem>
@@ -38,6 +37,32 @@ void print(const SubmitOptions& options, const Submission& done) {
               {"entry", done.entry > 0 ? Json(done.entry) : Json()},
               {"message", done.message},
               {"verdict", done.verdict}});
+}
+
+// Writes a team whose source is "firasim:NAME" into league.json, which describes it completely.
+// Replaces a team of that name if the replaced team also speaks FIRASim's protocol. Returns a
+// sentence that says why the team cannot enter; "" if it was written.
+Result<std::string> enter_firasim_team(system::Files& files, const Folder& folder,
+                                       const TeamConfig& team, std::int64_t now) {
+  MIROCUP_TRY(const auto lock, system::FileLock::acquire(folder.submitting()));
+  MIROCUP_TRY(const auto store, LeagueStore::open(files, folder));
+  LeagueFile file = store.state().file;
+  if (store.state().is_started) return "the league has started, so its programs stay as they are";
+  const auto known = store.state().find_team(team.name);
+  if (known && !file.teams[*known].is_firasim())
+    return "the league has a team of that name, which plays with " + file.teams[*known].source;
+  if (!known) {
+    if (const std::string why = why_not_now(store.state(), team.name, utc_text(now)); !why.empty())
+      return why;
+    file.teams.push_back(team);
+  } else {
+    file.teams[*known] = team;
+  }
+  // Parsed first, because the parser checks names.
+  const std::string text = print_league_file(file);
+  MIROCUP_TRY_VOID(parse_league_file(text, folder.config()));
+  MIROCUP_TRY_VOID(files.write(folder.config(), text));
+  return "";
 }
 
 // A program for FIRASim is no file to be checked: the team joins at once.

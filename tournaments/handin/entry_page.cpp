@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_fields.hpp"
-#include "tournaments/handin/desk_html.hpp"
 #include "tournaments/handin/team_desk_page.hpp"
 #include "tournaments/publish/page_values.hpp"
 

@@ -3,7 +3,6 @@
 
 #include "record/json_reader.hpp"
 #include "system/text.hpp"
-#include "tournaments/handin/desk_html.hpp"
 #include "tournaments/handin/progress.hpp"
 #include "tournaments/handin/replies.hpp"
 #include "tournaments/publish/site_file.hpp"

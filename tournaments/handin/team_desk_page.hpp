@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The pages of the desk: the page that asks for a token, and the private page of a team, where the
-// team hands in and reads the answers to its entries. web/page/hand_in.js sends the forms and
-// follows checks.
+// The pages of the desk, and the page around their content: the page that asks for a token, and the
+// private page of a team, where the team hands in and reads the answers to its entries.
+// web/page/hand_in.js sends the forms and follows checks.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "record/json_reader.hpp"
 
 #include <functional>
 #include <string>
@@ -14,6 +14,7 @@
 namespace mirocup::league {
 
 using Json = nlohmann::ordered_json;
+using record::text_in;
 
 // Returns a time of a book, "2026-11-25T01:02:03Z", in the league's time zone.
 using TimeInWords = std::function<std::string(const std::string& utc)>;
@@ -37,6 +38,14 @@ struct TeamDesk {
   TimeInWords time_in_words;
   std::function<std::string(const std::string& team)> shown_name;
 };
+
+// Returns a page with this content, in the design of all pages. `root` is the way from the page's
+// address to the top of the site: web::root_of(). It is "" at /hand-in.
+std::string desk_page(const std::string& title, const std::string& content,
+                      const std::string& root = "");
+
+// Returns the number at a key of an object in a printf format; "" if the object has no such number.
+std::string number_text(const Json& object, const char* key, const char* format);
 
 // `why` is a sentence about the fault of the last token; "" for the first try.
 std::string log_in_page(const std::string& why, const std::string& root);

@@ -7,7 +7,6 @@
 #include "system/printable.hpp"
 #include "system/text.hpp"
 #include "tournaments/league/apply.hpp"
-#include "tournaments/league/decision_view.hpp"
 #include "tournaments/league/decisions.hpp"
 #include "tournaments/league/submission.hpp"
 

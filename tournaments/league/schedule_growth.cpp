@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/league/schedule_growth.hpp"
 
-#include "tournaments/format/ladder.hpp"
 #include "tournaments/format/swiss.hpp"
 
 #include <algorithm>

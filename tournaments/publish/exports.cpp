@@ -4,7 +4,7 @@
 #include "record/csv_rows.hpp"
 #include "record/json_reader.hpp"
 #include "system/number_of.hpp"
-#include "tournaments/league/decision_view.hpp"
+#include "tournaments/league/decisions.hpp"
 #include "tournaments/league/league_state.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tournaments/publish/front_page.hpp"
 
-#include "tournaments/league/decision_view.hpp"
+#include "tournaments/league/decisions.hpp"
 #include "tournaments/publish/bests.hpp"
 #include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/page_values.hpp"

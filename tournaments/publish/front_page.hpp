@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The front page of a league, and the pages of its rounds and of its crosstable.
+// The front page of a league, and the pages of its rounds, of its crosstable and of its teams.
 #pragma once
 
 #include "tournaments/publish/league_statistics.hpp"
@@ -40,5 +40,9 @@ std::string round_html(const SiteContent& content, std::size_t round);
 // false for too many teams.
 bool has_crosstable(const SiteContent& content);
 std::string crosstable_html(const SiteContent& content);
+
+// Returns the page of a team: its rank, form, strength, best and worst legs, faults and all legs.
+// `team` is its index in the league.
+std::string team_html(const SiteContent& content, int team);
 
 }  // namespace mirocup::league

@@ -5,7 +5,6 @@
 #include "tournaments/publish/exports.hpp"
 #include "tournaments/publish/night_pages.hpp"
 #include "tournaments/publish/page_values.hpp"
-#include "tournaments/publish/team_page.hpp"
 #include "web/design/template.hpp"
 
 #include <cmath>

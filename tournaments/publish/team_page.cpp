@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tournaments/publish/team_page.hpp"
-
 #include "system/text.hpp"
+#include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/page_values.hpp"
 
 #include <nlohmann/json.hpp>

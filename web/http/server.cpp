@@ -160,10 +160,6 @@ void HttpServer::end_or_let_in() {
 
 void HttpServer::serve(int connection) {
   answer(connection);
-  close_connection(connection);
-}
-
-void HttpServer::close_connection(int connection) {
   const std::lock_guard lock(mutex_);
   entrance_.leave(connection);
   shutdown(connection, SHUT_RDWR);

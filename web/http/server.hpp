@@ -78,7 +78,6 @@ class HttpServer {
   void answer(int connection);
   void send_reply(Exchange& exchange, int connection, Reply& reply);
   void send_events(Exchange& exchange, Reply& reply);
-  void close_connection(int connection);
   void set_stage(int connection, Stage stage);
 
   const Handler handler_;

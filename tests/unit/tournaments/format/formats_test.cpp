@@ -6,7 +6,6 @@
 #include "core/base/random.hpp"
 #include "tests/unit/tournaments/sizes.hpp"
 #include "tournaments/format/groups.hpp"
-#include "tournaments/format/ladder.hpp"
 #include "tournaments/format/swiss.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "tournaments/handin/progress.hpp"
 
 #include "tests/support/contains.hpp"
-#include "tournaments/handin/desk_html.hpp"
+#include "tournaments/handin/team_desk_page.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
