@@ -65,7 +65,7 @@ Sessions Sessions::parse(const std::string& text) {
   const auto read = [](const record::JsonReader& json) {
     json.expect_schema(sessions_schema);
     Sessions sessions;
-    record::FieldReader(json)("sessions", sessions.sessions_);
+    record::FieldReader::read(json.at("sessions"), sessions.sessions_);
     return sessions;
   };
   return record::read_json<Sessions>(text, "sessions", Errc::damaged, read).value_or(Sessions());

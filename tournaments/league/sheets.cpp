@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int most_grace = 60;  // days
-constexpr std::int64_t day_s = 86400;
+constexpr std::int64_t grace_day_s = 86400;
 
 SheetDeadlines read_deadlines(const record::JsonReader& json, const LeagueFile& file) {
   SheetDeadlines deadlines;
@@ -22,7 +22,7 @@ SheetDeadlines read_deadlines(const record::JsonReader& json, const LeagueFile& 
     int days = 0;
     record::FieldReader(one).optional("grace_days", days, 0, most_grace);
     if (const auto until = system::parse_time(deadline.until))
-      deadline.grace = utc_text(until->at + day_s * days);
+      deadline.grace = utc_text(until->at + grace_day_s * days);
     if (!one.has("extensions")) continue;
     for (const auto& [team, until] : one.at("extensions").members())
       deadline.extensions[team] = read_time(until, file);
