@@ -10,6 +10,12 @@
 
 namespace mirocup::league {
 
+LeagueStore::LeagueStore(Folder folder, Journal journal, LeagueState state)
+    : folder_(std::move(folder)),
+      journal_(std::move(journal)),
+      state_(std::move(state)),
+      applied_(journal_.lines().size()) {}
+
 Result<LeagueStore> LeagueStore::open(system::Files& files, Folder folder, std::string* notice) {
   auto store = open_unplanned(files, std::move(folder), notice);
   if (store) plan(store->state_);

@@ -44,12 +44,7 @@ class LeagueStore {
   Result<void> write(const Event& event);
 
  private:
-  LeagueStore(Folder folder, Journal journal, LeagueState state)
-      : folder_(std::move(folder)),
-        journal_(std::move(journal)),
-        state_(std::move(state)),
-        applied_(journal_.lines().size()) {}
-
+  LeagueStore(Folder folder, Journal journal, LeagueState state);
   Result<void> write_line(const Event& event);
   Result<void> rebuild();
 
