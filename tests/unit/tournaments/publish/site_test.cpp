@@ -340,8 +340,9 @@ TEST(LegFacts, AreThoseOfTheRecordAsTheHomeTeamSeesThem) {
   EXPECT_EQ(facts->goals[0].scorer, 2);
   EXPECT_FALSE(facts->goals[1].is_home);
   EXPECT_EQ(facts->goals[1].scorer, -1) << "an own goal has no scorer";
-  EXPECT_EQ(facts->fouls, (HomeAway{.home = 1, .away = 0}));
-  EXPECT_EQ(facts->shoot_out, (HomeAway{.home = 2, .away = 3}));
+  EXPECT_EQ(std::pair(facts->fouls.home, facts->fouls.away), std::pair(1, 0));
+  ASSERT_TRUE(facts->shoot_out);
+  EXPECT_EQ(std::pair(facts->shoot_out->home, facts->shoot_out->away), std::pair(2, 3));
   for (const char* other : {"", "[]", "{}", R"({"control_period": 1, "ticks": 1})"})
     EXPECT_FALSE(facts_of(other, true)) << other;
 }
