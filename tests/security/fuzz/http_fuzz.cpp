@@ -29,7 +29,6 @@ league::Portal& desk() {
     options.team_header = "x-team";
     options.terms = [](const std::string&, const std::string&) { return league::HandInTerms(); };
     options.legs = [](league::Viewer, const std::string&) { return std::vector<league::OwnLeg>(); };
-    options.statistics = [](const std::string&) { return std::string(); };
     options.friendlies = {
         .teams =
             [] {
