@@ -4,6 +4,7 @@
 #include "plugins/host/team_host.hpp"
 #include "plugins/host/team_log.hpp"
 #include "programs/check/examination.hpp"
+#include "system/locations.hpp"
 #include "system/memory.hpp"
 #include "system/printable.hpp"
 #include "system/text.hpp"
