@@ -14,9 +14,10 @@ namespace {
 constexpr double hello_interval = 0.25;  // s
 constexpr double max_poll_interval = 0.05;
 
-// A server sends states many times a second, also while it waits. After `settled_silence` (s) without
-// one, a team that has its seat takes the connection for broken, since a router may have taken another
-// port; so does a team whose host has another address now. One that waits for a server has patience.
+// A server sends states many times a second, also while it waits. After `settled_silence` (s)
+// without one, a team that has its seat takes the connection for broken, since a router may have
+// taken another port; so does a team whose host has another address now. A team that waits for a
+// server has patience.
 constexpr double max_silence = 3.0;
 constexpr double settled_silence = 0.5;
 

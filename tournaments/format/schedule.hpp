@@ -81,9 +81,9 @@ std::vector<Fixture> round_robin(int teams, int legs);
 // some teams have one fixture less. Over many nights every pair meets equally often.
 std::vector<Fixture> night_fixtures(int night, const std::vector<int>& teams, int opponents);
 
-// Returns the fixtures of a ladder for the new entry of `team` against at most `sample` other teams,
-// drawn uniformly. `event` is the number of entries booked so far, including the new entry; it
-// becomes the round of the fixtures. The same arguments give the same sample.
+// Returns the fixtures of a ladder for the new entry of `team` against at most `sample` other
+// teams, drawn uniformly. `event` is the number of entries booked so far, including the new entry;
+// it becomes the round of the fixtures. The same arguments give the same sample.
 std::vector<Fixture> ladder_fixtures(int event, int team, const std::vector<int>& others,
                                      int sample, std::uint64_t league_seed);
 
