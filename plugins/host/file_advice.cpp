@@ -153,7 +153,7 @@ bool is_in_sandbox(const std::string& name) {
   // The cache holds paths that end with a zero.
   const auto cache = system::Disk().read_named(loader_cache, system::size_limit::system_file);
   if (cache && cache->find('/' + name + '\0') != std::string::npos) return true;
-  return std::ranges::any_of(library_folders, [&](const std::string folder) {
+  return std::ranges::any_of(library_folders, [&](const std::string& folder) {
     return access((folder + '/' + name).c_str(), F_OK) == 0;
   });
 }
