@@ -203,12 +203,14 @@ class Deciding {
     MIROCUP_TRY(const auto until, time_to_come(""));
     Extended event = signed_as(Extended{.team = act_.except, .until = until, .reason_sha256 = {}});
     event.signature.why = "an extension; the reason is not published";
-    const std::string line = decision_in_words(state(), event);
     if (!state().is_started)
-      return change_file([&](LeagueFile& file) { file.extensions[act_.except] = until; }, line);
+      return change_file([&](LeagueFile& file) { file.extensions[act_.except] = until; },
+                         decision_in_words(state(), event));
     MIROCUP_TRY_VOID(validate(state(), event));  // no reason is kept of what is refused
     if (!act_.is_dry_run) {
-      MIROCUP_TRY(event.reason_sha256, keep_reason(line));
+      // The name of the team, which nobody can change, and not the one that pages show.
+      MIROCUP_TRY(event.reason_sha256, keep_reason(act_.except + " may hand in until " +
+                                                   shown_time(state().file, until)));
     }
     return write(event);
   }

@@ -99,7 +99,8 @@ struct DecisionWriter {
   const LeagueState& state;
 
   std::string operator()(const LegVoided& e) const {
-    return leg_in_words(state, e) + ": void, to be played again";
+    return leg_in_words(state, e) + ": void, to be played again with " +
+           (e.has_new_seed ? "another seed" : "the same seed");
   }
   std::string operator()(const Ruled& e) const {
     return leg_in_words(state, e) + ": " + std::to_string(e.score.home) + ":" +
@@ -126,9 +127,11 @@ struct DecisionWriter {
            (e.closing_round.empty() ? "" : "; a closing round decides the season");
   }
   std::string operator()(const Released& e) const {
-    return "pages show " + (!e.through.empty()             ? "the rounds through " + e.through
-                            : e.level == ReleaseLevel::all ? "every round"
-                                                           : "no round");
+    return "pages show " +
+           (!e.through.empty()             ? "the rounds through " + e.through
+            : e.level == ReleaseLevel::all ? "every round"
+                                           : "no round") +
+           (e.level == ReleaseLevel::teams ? "; teams read their own digests" : "");
   }
   std::string operator()(const Undone& e) const {
     for (std::size_t i = 0; i < state.decisions.size(); ++i) {

@@ -67,15 +67,14 @@ Result<void> expect_program(const LeagueStore& store, const record::Software& pr
   const LeagueState& state = store.state();
   const record::Software& before = state.program;
   if (!state.is_started) return {};
-  if (series_of(before.version) == series_of(program.version) &&
-      before.behaviour_hash == program.behaviour_hash)
-    return {};
-  return fail(Errc::input,
-              store.folder().path + " is played with " +
-                  in_words(before.version, before.behaviour_hash) + "; this program is " +
-                  in_words(program.version, program.behaviour_hash) +
-                  ", which may play other legs from the same seeds. Continue with mirocup " +
-                  series_of(before.version) + ", which played before");
+  const bool is_fix = series_of(before.version) == series_of(program.version);
+  if (is_fix && before.behaviour_hash == program.behaviour_hash) return {};
+  const std::string played = in_words(before.version, before.behaviour_hash);
+  return fail(Errc::input, store.folder().path + " is played with " + played +
+                               "; this program is " +
+                               in_words(program.version, program.behaviour_hash) +
+                               ", which may play other legs from the same seeds. Continue with " +
+                               played + (is_fix ? "" : ", or a fix of it"));
 }
 
 namespace {

@@ -34,11 +34,14 @@ TEST(Program, IsOfTheVersionInTheJournal) {
   EXPECT_EQ(refusal("0.1.0", "beef"), "") << "a fix of the same minor version plays the same legs";
   const std::string other_game = refusal("0.1.2", "f00d");
   EXPECT_NE(other_game.find("is played with mirocup 0.1.2 (game f00d); this program is mirocup "
-                            "0.1.2 (game beef)"),
+                            "0.1.2 (game beef), which may play other legs from the same seeds. "
+                            "Continue with mirocup 0.1.2 (game f00d)"),
             std::string::npos)
       << other_game;
   const std::string other_version = refusal("0.2.0", "beef");
-  EXPECT_NE(other_version.find("Continue with mirocup 0.2,"), std::string::npos) << other_version;
+  EXPECT_NE(other_version.find("Continue with mirocup 0.2.0 (game beef), or a fix of it"),
+            std::string::npos)
+      << other_version;
 }
 
 }  // namespace
