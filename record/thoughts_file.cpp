@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
+#include <utility>
 #include <vector>
 #include <zstd.h>
 
@@ -14,7 +14,8 @@ namespace {
 // The lines are alike, so the lowest level packs them to a tenth already.
 constexpr int thoughts_level = 1;
 
-constexpr int most_window = 23;  // as a power of 2; the lowest level needs 19
+constexpr std::size_t packed_at_once = 64u << 10;  // bytes of lines; they stay in the cache
+constexpr int most_window = 23;                    // as a power of 2; the lowest level needs 19
 
 }  // namespace
 
@@ -25,12 +26,38 @@ std::string thoughts_path(const std::string& record_path, Team team) {
 
 void ThoughtsWriter::add(std::uint32_t tick, const match::Thought& thought) {
   last_tick_ = tick;
-  const std::string_view line = is_full_ ? std::string_view() : line_.write(tick, thought);
-  is_full_ = is_full_ || lines_.size() + line.size() > match::max_thought_bytes;
-  if (is_full_)
-    ++left_out_;
-  else
-    lines_ += line;
+  if (!is_full_) {
+    const std::string_view line = line_.write(tick, thought);
+    is_full_ = size_ + line.size() > match::max_thought_bytes;
+    if (!is_full_) {
+      size_ += line.size();
+      lines_ += line;
+      if (lines_.size() >= packed_at_once) pack(false);
+      return;
+    }
+  }
+  ++left_out_;
+}
+
+void ThoughtsWriter::Free::operator()(ZSTD_CCtx_s* packer) const {
+  ZSTD_freeCCtx(packer);
+}
+
+void ThoughtsWriter::pack(bool is_end) {
+  if (!packer_) {
+    packer_.reset(ZSTD_createCCtx());
+    ZSTD_CCtx_setParameter(packer_.get(), ZSTD_c_compressionLevel, thoughts_level);
+  }
+  const ZSTD_EndDirective how = is_end ? ZSTD_e_end : ZSTD_e_continue;
+  ZSTD_inBuffer in{lines_.data(), lines_.size(), 0};
+  char bytes[1 << 14];
+  std::size_t left = 0;
+  do {
+    ZSTD_outBuffer out{bytes, sizeof bytes, 0};
+    left = ZSTD_compressStream2(packer_.get(), &out, &in, how);
+    packed_.append(bytes, out.pos);
+  } while (!ZSTD_isError(left) && (is_end ? left > 0 : in.pos < in.size));
+  lines_.clear();
 }
 
 std::string ThoughtsWriter::packed() {
@@ -38,11 +65,10 @@ std::string ThoughtsWriter::packed() {
     lines_ += "{\"tick\":" + std::to_string(last_tick_) +
               ",\"layer\":\"mirocup\",\"colour\":\"#808080ff\",\"text\":[0,0,\"" +
               std::to_string(left_out_) + " shapes of the leg were left out\"]}\n";
+    left_out_ = 0;
   }
-  std::string packed(ZSTD_compressBound(lines_.size()), '\0');
-  packed.resize(
-      ZSTD_compress(packed.data(), packed.size(), lines_.data(), lines_.size(), thoughts_level));
-  return packed;
+  pack(true);
+  return std::move(packed_);
 }
 
 namespace {

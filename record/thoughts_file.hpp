@@ -13,15 +13,19 @@
 #include "system/files.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+
+struct ZSTD_CCtx_s;
 
 namespace mirocup::record {
 
 // Returns the path of a team's thoughts: NAME.blue.thoughts.zst beside NAME.json.
 std::string thoughts_path(const std::string& record_path, Team team);
 
-// Collects the thoughts of one team in a leg.
+// Collects the thoughts of one team in a leg. The writer packs thoughts while they come, so that a
+// leg needs no memory for all thoughts.
 class ThoughtsWriter {
  public:
   // Adds a shape of a tick. Drops the first shape with which the leg would exceed
@@ -39,8 +43,17 @@ class ThoughtsWriter {
   std::string packed();
 
  private:
+  struct Free {
+    void operator()(ZSTD_CCtx_s* packer) const;
+  };
+
+  void pack(bool is_end);
+
   ThoughtLine line_;
-  std::string lines_;
+  std::string lines_;     // lines that are not packed yet
+  std::size_t size_ = 0;  // bytes of all lines
+  std::string packed_;
+  std::unique_ptr<ZSTD_CCtx_s, Free> packer_;  // null before the first lines are packed
   std::uint32_t last_tick_ = 0;
   std::uint64_t left_out_ = 0;
   bool is_full_ = false;
