@@ -210,7 +210,7 @@ std::string sentence_of(const CLI::App& command, const CLI::ParseError& error) {
   });
   if (kind == static_cast<int>(CLI::ExitCodes::ArgumentMismatch) && doubled != options.end())
     return (*doubled)->get_name() + " is given more than once";
-  return error.what();
+  return replaced(error.what(), check_mark, "");
 }
 
 int explain(const CLI::App& app, std::span<const CommandHelp> helps, const CLI::ParseError& error) {

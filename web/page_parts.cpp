@@ -80,9 +80,9 @@ record::Json zones_json(const field::Field& field) {
 std::string packed_text(std::string_view text) {
   uLongf size = compressBound(text.size());
   std::string bytes(size, '\0');
-  compress(reinterpret_cast<Bytef*>(bytes.data()), &size,
-           reinterpret_cast<const Bytef*>(text.data()), text.size());
-  bytes.resize(size);
+  const bool is_packed = compress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                                  reinterpret_cast<const Bytef*>(text.data()), text.size()) == Z_OK;
+  bytes.resize(is_packed ? size : 0);  // 0: for want of memory
   return system::base64(bytes);
 }
 

@@ -823,7 +823,7 @@ def _cause_of(error, frames, own):
     if kind == "ImportError" and error.name is None:
         return "relative_import"
     if isinstance(error, (TypeError, struct.error)) and own and ".draw_" in own[-1].line:
-        return "bad_point"
+        return "bad_point" if ".parameter(" not in own[-1].line else "no_default"
     if kind != "TypeError":
         return kind
     if own:

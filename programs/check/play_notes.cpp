@@ -56,7 +56,8 @@ bool note_commands(Examination& e, const LegStory& leg, bool& is_slow) {
   for (int i = 0; i < robots; ++i) {
     const auto [left, right, fast_ones] = leg.turned[i];
     const auto [less, more] = std::minmax(left, right);
-    if (i > 0) told += more, told_fast += fast_ones;
+    told += i > 0 ? more : 0;
+    told_fast += i > 0 ? fast_ones : 0;
     // A keeper may stand.
     const bool has_stood = more <= silent_share * leg.count(Habit::stand).all;
     if (has_stood ? i == 0 : less > silent_share * more) continue;

@@ -187,7 +187,8 @@ Result<match::DrivenCommand> answer_to(Examination& e, Vec2 ball, const Change& 
 Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall) {
   const int robots = field::make_field(e.setup.league).robots_per_team;
   int away = 0, followers = 0, opponents = 0;
-  bool is_degrees = true, is_ticks = true, is_unwrapped = true;  // with each of the balls
+  bool is_degrees = true, is_ticks = true;  // with each of the balls
+  std::array<int, max_robots_per_team> jumps{};
   for (const Vec2 ball : seen_balls) {
     MIROCUP_TRY(const auto usual, answer_to(e, ball, {}));
     MIROCUP_TRY(const auto beyond, answer_to(e, ball, {.opponents = small_turn}));
@@ -195,7 +196,7 @@ Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall) {
     MIROCUP_TRY(const auto right, answer_to(e, ball, {.heading = -at_pi}));
     MIROCUP_TRY(const auto ahead, answer_to(e, ball, {.heading = 0.0}));
     opponents += beyond != usual ? 1 : 0;
-    bool is_far_beside = false, is_far_later = false, has_jumped = false;
+    bool is_far_beside = false, is_far_later = false;
     for (int j = 0; j < robots; ++j) {
       MIROCUP_TRY(const auto turned, answer_to(e, ball, {.robot = j, .turn = small_turn}));
       const bool follows = turned.wheels[j] != usual.wheels[j];
@@ -209,7 +210,7 @@ Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall) {
       away += ball.x() < 0.0 && turn < 0.0 ? 1 : 0;
       // A robot with its target straight ahead turns otherwise on both sides, rightly.
       const bool is_beside = std::abs(turn_of(ahead, j)) > least_error;
-      has_jumped |= is_beside && std::abs(turn_of(left, j) - turn_of(right, j)) > told_jump;
+      jumps[j] += is_beside && std::abs(turn_of(left, j) - turn_of(right, j)) > told_jump ? 1 : 0;
       if (j > driving_robots || turn == 0.0) continue;
       MIROCUP_TRY(const auto beside, answer_to(e, ball, {.robot = j, .bearing = small_bearing}));
       MIROCUP_TRY(const auto later, answer_to(e, ball, {.robot = j, .rolls = rolls}));
@@ -221,9 +222,9 @@ Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall) {
     }
     is_degrees &= is_far_beside;
     is_ticks &= is_far_later;
-    is_unwrapped &= has_jumped;
   }
   MIROCUP_TRY(const Ways ways, ways_to_ball(e));
+  const bool is_unwrapped = std::ranges::count(jumps, std::ssize(seen_balls)) > 0;
   const bool is_away =
       !ways.is_right && (away == robots - 1 || (ways.is_away && ways.code == nullptr));
   const char* code = followers == 0 && opponents > 0          ? "opponents"

@@ -129,7 +129,9 @@ Result<TrialLeg> play(Examination& e, const TrialTerms& terms) {
   played.slept_seconds = slept();
   e.plan.add(processor() + slept_to_start + played.slept_seconds, used_to_start);
   played.peak_memory = own.peak_memory();
-  if (!played.fault) played.grown = played.peak_memory - memory_at_start;
+  // The kernel's counters are not exact.
+  if (!played.fault)
+    played.grown = played.peak_memory - std::min(played.peak_memory, memory_at_start);
   played.output = own.output();
   played.asked_parameters = own.asked_parameters();
   return played;

@@ -135,8 +135,11 @@ Result<int> run_drill(DrillOptions options, const record::WriteAnswer& answer) {
   } else if (options.csv) {
     std::cout << csv_of(reports);
   } else {
-    for (std::size_t i = 0; i < reports.size(); ++i)
-      std::cout << report_text(of_teams[i], drills.size() > 1 ? "all" : "", faults_of(reports[i]));
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      std::vector<std::string> notes = faults_of(reports[i]);
+      for (std::string& note : notes) note.insert(0, "fault: ");
+      std::cout << report_text(of_teams[i], drills.size() > 1 ? "all" : "", notes);
+    }
   }
   const double wanted = options.at_least.value_or(0.0);
   const bool is_enough = std::all_of(reports.begin(), reports.end(), [wanted](const auto& report) {

@@ -14,10 +14,8 @@ namespace {
 constexpr double hello_interval = 0.25;  // s
 constexpr double max_poll_interval = 0.05;
 
-// A server sends states many times a second, also while it waits. After `settled_silence` (s)
-// without one, a team that has its seat takes the connection for broken, since a router may have
-// taken another port; so does a team whose host has another address now. A team that waits for a
-// server has patience.
+// A server sends states many times a second. After this many seconds without a state the connection
+// is broken, or after `settled_silence` if this host has another address now.
 constexpr double max_silence = 3.0;
 constexpr double settled_silence = 0.5;
 
@@ -195,8 +193,7 @@ bool TeamClient::is_cut_off() const {
       seconds_since(acknowledged_at_) > max_unacknowledged_time)
     return true;
   const double silence = seconds_since(std::max(last_heard_at_, connected_at_));
-  return silence > max_silence ||
-         (silence > settled_silence && (link_.is_seated || has_moved()));
+  return silence > max_silence || (silence > settled_silence && has_moved());
 }
 
 // The sockets of a domain keep the address that this host had when they were opened.

@@ -9,7 +9,7 @@ const here = (path) => new URL(path.slice(1), import.meta.url);
 const [form, file, sent, answer, log] = ['hand-in', 'file', 'sent', 'answer', 'log'].map((id) => document.getElementById(id));
 const button = form.querySelector('button');
 
-const pause = 1000;  // ms between two questions
+const pause = 2000;  // ms between two questions, where there are no events
 
 function say(text) {
   answer.textContent = text;
@@ -41,25 +41,39 @@ async function showLists() {
   }
 }
 
-// Asks how a check goes until it has ended.
-async function follow({ url }) {
-  let report = {};
-  while (!isFinal(report)) {
-    try {
-      const reply = await fetch(here(url));
-      if (reply.ok) {
-        report = await reply.json();
-        say(inWords(report));
-      }
-    } catch {
-      say('The server does not answer. Files that it has taken are not lost; this page asks again.');
-    }
-    await new Promise((resolve) => { setTimeout(resolve, pause); });
-  }
-  log.textContent = report.log ?? '';
-  log.hidden = log.textContent === '';
+function end() {
   button.disabled = false;
   showLists();
+}
+
+// Follows a check by its events, or by questions if there are none.
+function follow({ url, events }) {
+  const source = new EventSource(here(events));
+  let isOver = false;
+  const show = (report) => {
+    say(inWords(report));
+    isOver = isFinal(report);
+    if (isOver) {
+      source.close();
+      log.textContent = report.log ?? '';
+      log.hidden = log.textContent === '';
+      end();
+    }
+  };
+  source.addEventListener('state', ({ data }) => show(JSON.parse(data)));
+  source.onerror = () => {
+    source.close();
+    const ask = async () => {
+      try {
+        const reply = await fetch(here(url));
+        if (reply.ok) show(await reply.json());
+      } catch {
+        say('The server does not answer. Files that it has taken are not lost; this page asks again.');
+      }
+      if (!isOver) setTimeout(ask, pause);
+    };
+    if (!isOver) setTimeout(ask, pause);
+  };
 }
 
 form.addEventListener('submit', (event) => {
