@@ -78,7 +78,9 @@ Result<TrialLeg> play_scene(Examination& e, const match::Start& start, std::uint
 // Puts robot j beside a resting ball, and all others but the keepers away from it.
 match::Start start_at_ball(const Examination& e, Team team, int j, Vec2 from, Vec2 ball) {
   const field::Field field = field::make_field(e.setup.league);
-  match::Start start{.left = team, .ball = simulator::BallState{ball, {}}};
+  match::Start start;
+  start.left = team;
+  start.ball = simulator::BallState{ball, {}};
   for (int i = 1; i < field.robots_per_team; ++i) {
     const Vec2 away(-0.8 * field.half_length, (i % 2 == 0 ? 0.1 : -0.1) * (i + 1));
     start.robots[index_of(team)][i].state = {i == j ? from : away, {}, {}};
