@@ -81,15 +81,15 @@ static Result<int> run(int argc, char** argv) {
   // `complete COMMAND WORD…` asks the program that runs the command.
   const bool completes = words.size() > 2 && words[0] == "complete";
   const auto command = words.begin() + (completes ? 1 : 0);
-  const std::string name = command != words.end() ? *command : "";
-  if (name == "league") {
+  const std::string asked = command != words.end() ? *command : "";
+  if (asked == "league") {
     const bool is_tune = words.end() - command > 1 && command[1] == "tune";
     words.erase(command);
     return tl::unexpected(is_tune ? become_labs(words)
                                   : system::become_sibling_program("mirocup-league", words));
   }
   for (const LabsCommand& of_labs : commands_of_labs) {
-    if (name == of_labs.name) return tl::unexpected(become_labs(words));
+    if (asked == of_labs.name) return tl::unexpected(become_labs(words));
   }
 
   system::Commands commands("mirocup", "A tournament platform for MiroSot robot soccer.",

@@ -63,8 +63,8 @@ Json LegCosts::of(const OwnLeg& leg) {
       record::read_json<Json>(*text, leg.record, Errc::damaged, [&leg](const JsonReader& json) {
         const JsonReader budget = json.at("budget").at(leg.colour);
         Json read;
-        for (const char* key : {"cpu_seconds", "bank_seconds", "slowest_tick_ms"})
-          read[key] = budget.at(key).number();
+        for (const char* number : {"cpu_seconds", "bank_seconds", "slowest_tick_ms"})
+          read[number] = budget.at(number).number();
         read["late_ticks"] = budget.at("late_ticks").integer<int>(0);
         int fouls = 0;
         for (const JsonReader& call : json.at("decisions").elements(0, max_decisions)) {
