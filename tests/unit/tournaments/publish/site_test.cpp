@@ -180,7 +180,7 @@ TEST(Decisions, AreListedWithWhatBecameOfThem) {
   const std::string leg = ids(0) + " leg ";
   const std::string teams = ", " + home + " – " + away + ": ";
   const std::string other = ids(1) + " leg 1, " + leaver + " – " + state.name(second.away) + ": ";
-  const std::string again = "void, to be played again";
+  const std::string again = "void, to be played again with the same seed";
   const std::vector<std::string> lines{
       "number,at,by,kind,what,why,undone_by",
       "1," + at + ",<i>H</i>,ruling,\"" + leg + "2" + teams +
