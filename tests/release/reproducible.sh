@@ -26,6 +26,7 @@ build='
   cmake --preset packages >/dev/null
   cmake --build --preset packages >build.log 2>&1 || { tail -n 50 build.log; exit 1; }
   cd build/packages
+  umask 022  # cpack writes it into a package
   cpack -G DEB >cpack.log 2>&1 || { tail -n 50 cpack.log; exit 1; }
 '
 first=$folder/a
