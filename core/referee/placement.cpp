@@ -185,8 +185,8 @@ const Formation& formation_of(RobotLeague league, Restart restart) {
   const Formations& all = league == RobotLeague::large    ? large_formations
                           : league == RobotLeague::middle ? middle_formations
                                                           : small_formations;
-  const bool is_known = std::ranges::count(all, restart, &Formation::restart) > 0;
-  return is_known ? *std::ranges::find(all, restart, &Formation::restart) : all.front();
+  const auto found = std::ranges::find(all, restart, &Formation::restart);
+  return found != all.end() ? *found : all.front();
 }
 
 }  // namespace

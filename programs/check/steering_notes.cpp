@@ -68,7 +68,7 @@ Result<TrialLeg> play_scene(Examination& e, const match::Start& start, std::uint
                             const WatchedTeam::Show& show) {
   TrialTerms terms{e.setup, &*e.idle, start.left};
   terms.setup.start = start;
-  // What is told does not hang on chance.
+  // The seed is fixed, so chance does not decide what is told.
   terms.setup.seed = 1 + 2 * index_of(start.left) + static_cast<int>(start.phase);
   terms.max_ticks = ticks;
   terms.show = show;

@@ -14,7 +14,7 @@ struct Row {
   CrowdingLaw which;
   Law law;
   ByEnd<ByEnd<RobotSet>> Occupancy::*area;
-  bool by_owner;           // the robots are those of the team whose area it is, the defenders
+  bool by_owner;           // the robots that are counted are the defenders, whose area it is
   int Rules::*max_robots;  // 0: any number
   bool Rules::*at_once;    // two robots too many may not stay at all; null: they may
   const char* text;        // of the reason, after the number of robots
