@@ -72,7 +72,7 @@ TEST(DdsTeam, PlaysFromBehindARouterThatTranslatesAddresses) {
 // Two teams behind one router play over wires with delay and loss. Catches states and answers that
 // are lost and not sent again, or driven twice; late answers that are thrown away, or not told. In
 // real time no more is expected, because a busy machine is late, too. MIROCUP_HALF=15
-// build/dds_tests --gtest_filter='*LongWires*' prints the table of server/dds/README.md.
+// build/dds_tests --gtest_filter='*LongWires*' prints the shares of server/dds/README.md.
 void expect_long_wires_play(bool is_secure) {
   const char* asked = std::getenv("MIROCUP_HALF");
   const TemporaryFolder folder;
