@@ -37,6 +37,10 @@ constexpr int most_instances = 1000;
 // The most bytes that a program may print for a leg, and write into each file.
 constexpr std::uint64_t max_program_output = std::uint64_t{1} << 30;
 
+// How long a match that waits for something else may wait for a packet, s: not at all, but above 0,
+// as MatchServer::listen() needs it to send the state again.
+constexpr double no_longer = 1e-9;
+
 void tell(const std::string& text) {
   std::cerr << "mirocup: " << system::printable(text) << '\n';
 }
@@ -147,7 +151,10 @@ firasim::Terms Network::firasim_terms(Team team, const SeatTerms& terms) {
   join.to_join = terms_.join_within;
   const bool is_lockstep = terms.period == 0.0 || terms_.lockstep;
   join.away = terms_.away_limit.value_or(is_lockstep ? lockstep_away_limit : away_limit);
-  join.interrupted = [&interrupt = terms.interrupt] { return interrupt.is_asked_for(); };
+  join.interrupted = [this, &interrupt = terms.interrupt] {
+    stand_by();  // the other team may play over DDS
+    return interrupt.is_asked_for();
+  };
   join.why_gone = [this, team](const std::string& when) -> std::optional<match::Answer> {
     auto& program = programs_[index_of(team)];
     return program ? program->why_gone(when) : std::nullopt;
@@ -172,6 +179,10 @@ void Network::announce(const match::Leg& leg, const match::ByTeam<std::string>& 
 void Network::publish(const match::Leg& leg) {
   if (dds_) dds_->publish(leg);
   if (firasim_) firasim_->publish(leg);
+}
+
+void Network::stand_by() {
+  if (dds_) dds_->listen(no_longer);
 }
 
 void Network::close(const match::Leg& leg) {

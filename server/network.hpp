@@ -98,6 +98,9 @@ class Network {
   void announce(const match::Leg& leg, const match::ByTeam<std::string>& names, double speed);
   // Publishes the tick that begins, and never waits.
   void publish(const match::Leg& leg);
+  // To be called while the match waits for something else: receives what has come, and sends the
+  // state again, because a team that gets none takes the connection for broken.
+  void stand_by();
   // Publishes the end of the match, and gives the programs a moment to end by themselves.
   void close(const match::Leg& leg);
 

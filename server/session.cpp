@@ -15,10 +15,11 @@ namespace {
 // At full speed a match polls for an interrupt only this often, because polling is a system call.
 constexpr std::uint32_t ticks_between_polls = 16;
 
-Result<plugins::ProcessTerms> process_terms(const Session& s) {
+Result<plugins::ProcessTerms> process_terms(Session& s) {
   plugins::ProcessTerms terms;
   terms.bell = s.bell;
   terms.memory = s.memory;
+  terms.meanwhile = [&network = s.network] { network.stand_by(); };
   terms.keeps_thoughts = s.terms.thoughts;
   // Tests of teams that are never ready need not wait as long as a league does.
   if (const char* limit = std::getenv("MIROCUP_START_LIMIT")) {
@@ -153,7 +154,7 @@ Result<void> play(Session& s) {
     const std::uint32_t tick = s.leg.tick();
     const bool polls_now = s.pacer.period() > 0.0 || tick % ticks_between_polls == 0;
     if (polls_now && s.interrupt.is_asked_for()) return interrupted();
-    s.pacer.wait_for(tick);
+    s.pacer.wait_for(tick, [&s] { s.network.stand_by(); });
     s.network.publish(s.leg);
     s.leg.advance(s.seats[0].controller(), s.seats[1].controller());
     if (s.terms.thoughts) keep_thoughts(s, tick);

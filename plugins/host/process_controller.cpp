@@ -41,8 +41,8 @@ constexpr std::chrono::milliseconds slice{20};
 // A server that sleeps a slice and wakes so much later, s, was stopped with its whole job.
 constexpr double min_absence = 1.0;
 
-// The time limit for building the sandbox, s. Only a machine in great trouble needs that long.
-constexpr double max_setup_time = 60.0;
+// The time limit for building the sandbox. Only a machine in great trouble needs that long.
+constexpr std::chrono::milliseconds max_setup_time{60'000};
 
 // How long a process that has crashed may take to say where, s.
 constexpr double max_report_time = 0.5;
@@ -62,6 +62,11 @@ tl::unexpected<Error> not_available(const char* what) {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::chrono::steady_clock::duration wall_time(double seconds) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+      std::chrono::duration<double>(seconds));
 }
 
 std::string seconds_text(double seconds) {
@@ -124,20 +129,17 @@ ProcessController::ProcessController(Team team, Child child, ObservationPage* in
       setup_(std::move(setup)),
       entry_(std::move(entry)),
       log_pipe_(std::move(log)),
-      budget_(terms.budget),
-      deadline_(terms.deadline),
-      bell_(terms.bell),
-      memory_(terms.memory),
+      terms_(terms),
       posted_at_(WallClock::now()),
       asked_at_(posted_at_) {
   if (terms.keeps_thoughts) thoughts_ = std::make_unique<ThoughtsPage>();
-  bell_->join();
-  memory_->add(team_, child_);
+  terms_.bell->join();
+  terms_.memory->add(team_, child_);
 }
 
 ProcessController::~ProcessController() {
-  bell_->leave();
-  memory_->remove(team_);
+  terms_.bell->leave();
+  terms_.memory->remove(team_);
   child_.kill();
   munmap(in_, sizeof *in_);
   munmap(out_, sizeof *out_);
@@ -149,7 +151,9 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
   pollfd readable{setup_.get(), POLLIN, 0};
   char text[128];
   ssize_t length = -1;
-  if (poll(&readable, 1, static_cast<int>(1e3 * max_setup_time)) > 0) {
+  for (auto n = max_setup_time / slice; n > 0 && poll(&readable, 1, slice.count()) == 0; --n)
+    terms_.meanwhile();
+  if (readable.revents != 0) {
     length = receive_packet(setup_.get(), text, sizeof text, loading_);
     if (loading_.get() >= 0) length = read(setup_.get(), text, sizeof text);
   }
@@ -174,7 +178,7 @@ std::optional<HostFailure> ProcessController::wait_for_sandbox() {
 
 Answer ProcessController::answer_to_exit(const ExitStatus& status) {
   // The team cannot have done it: the filter forbids sending itself SIGKILL.
-  if (status.signal == SIGKILL) return judge_kill(team_, memory_->evidence(team_));
+  if (status.signal == SIGKILL) return judge_kill(team_, terms_.memory->evidence(team_));
   LastWords words;
   words.signal = out_->fault_signal.load(std::memory_order_acquire);
   words.call = out_->fault_call.load(std::memory_order_relaxed);
@@ -186,10 +190,8 @@ Answer ProcessController::answer_to_exit(const ExitStatus& status) {
   words.team_call = out_->team_call.load(std::memory_order_relaxed);
   exit_report_ = words;
   backtrace_ = describe_trace();
-  if (!backtrace_.empty()) {
-    read_log();
-    log_.append("Crashed in\n" + backtrace_);
-  }
+  read_log();
+  if (!backtrace_.empty()) log_.append("Crashed in\n" + backtrace_);
   return fault_of(status, words, is_ready_, moment_);
 }
 
@@ -246,8 +248,7 @@ void ProcessController::wait_for_word(std::uint32_t seen, std::chrono::nanosecon
 void ProcessController::forgive_absence(double pause) {
   if (pause < min_absence) return;
   absent_ += pause;
-  asked_at_ +=
-      std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(pause));
+  asked_at_ += wall_time(pause);
 }
 
 double ProcessController::seconds_without_delay(WallClock::time_point begin,
@@ -271,6 +272,7 @@ std::optional<Answer> ProcessController::wait(Done done, const WaitLimit& limit,
     wait_for_word(seen, pause);
     forgive_absence(seconds_since(std::exchange(looked, WallClock::now())));
     if (done()) break;
+    terms_.meanwhile();
     if (const auto status = child_.exit_status()) return answer_to_exit(*status);
     if (is_stuck_in_its_report()) {
       child_.kill();
@@ -315,8 +317,8 @@ tl::expected<void, Answer> ProcessController::wait_until_ready() {
   own_delay_at_slice_.reset();
   if (auto failure = wait_for_sandbox()) return tl::unexpected<Answer>(*failure);
   const auto is_ready = [this] { return out_->load_state.load() == LoadState::ready; };
-  const WaitLimit limit{.cpu = budget_.start_cpu,
-                        .wall = budget_.start_wall,
+  const WaitLimit limit{.cpu = terms_.budget.start_cpu,
+                        .wall = terms_.budget.start_wall,
                         .fault = FaultCode::start_timeout,
                         .doing = "to load its library and create its team"};
   if (auto problem = wait(is_ready, limit, std::nullopt)) return tl::unexpected(*problem);
@@ -344,18 +346,18 @@ void ProcessController::post(const match::Observation& observation) {
   moment_ = {observation.tick, observation.state};
   in_->observation = abi::to_observation(observation);
   in_->request.store(++request_, std::memory_order_release);
-  bell_->ask(in_->request);
+  terms_.bell->ask(in_->request);
 }
 
 Answer ProcessController::count_late_tick() {
-  assert(deadline_.has_value());
+  assert(terms_.deadline.has_value());
   ++late_;
   ++late_in_a_row_;
-  if (late_in_a_row_ <= deadline_->max_late_in_a_row && late_ <= deadline_->max_late)
+  if (late_in_a_row_ <= terms_.deadline->max_late_in_a_row && late_ <= terms_.deadline->max_late)
     return match::Late{};
   child_.kill();
   return Fault{FaultCode::hang,
-               "the team was late " + (late_ > deadline_->max_late
+               "the team was late " + (late_ > terms_.deadline->max_late
                                            ? std::to_string(late_) + " times in this leg"
                                            : std::to_string(late_in_a_row_) + " times in a row")};
 }
@@ -364,9 +366,10 @@ Answer ProcessController::count_late_tick() {
 std::optional<Fault> ProcessController::find_overdraft() const {
   if (!is_ready_ || playing_seconds() <= bank_seconds()) return std::nullopt;
   return Fault{FaultCode::budget,
-               "the team used up its processor time: " + seconds_text(budget_.bank) + ", " +
-                   std::to_string(1e3 * budget_.bank_per_tick).substr(0, 4) + " ms for each of " +
-                   std::to_string(ticks_) + " ticks, and further time for each place()"};
+               "the team used up its processor time: " + seconds_text(terms_.budget.bank) + ", " +
+                   std::to_string(1e3 * terms_.budget.bank_per_tick).substr(0, 4) +
+                   " ms for each of " + std::to_string(ticks_) +
+                   " ticks, and further time for each place()"};
 }
 
 // Returns the fault of a team that has used up its bank or slept too long by the end of a tick.
@@ -374,7 +377,7 @@ std::optional<Fault> ProcessController::find_overrun() {
   if (auto fault = find_overdraft()) return fault;
   if (has_slept_too_long())
     return Fault{FaultCode::hang,
-                 "the team slept more than " + seconds_text(budget_.sleep) + " in this leg",
+                 "the team slept more than " + seconds_text(terms_.budget.sleep) + " in this leg",
                  "slept"};
   return std::nullopt;
 }
@@ -382,10 +385,10 @@ std::optional<Fault> ProcessController::find_overrun() {
 // The time slept is the time that the server waited, less the processor time of the team, less the
 // time that both had to wait for a processor: a busy machine is not the team's fault.
 bool ProcessController::has_slept_too_long() {
-  if (waited_ < budget_.sleep || waited_ < next_sleep_check_) return false;
+  if (waited_ < terms_.budget.sleep || waited_ < next_sleep_check_) return false;
   next_sleep_check_ = waited_ + 1.0;
   const auto slept = slept_seconds();
-  return slept && *slept > budget_.sleep;
+  return slept && *slept > terms_.budget.sleep;
 }
 
 std::optional<double> ProcessController::slept_seconds() const {
@@ -396,20 +399,18 @@ std::optional<double> ProcessController::slept_seconds() const {
 }
 
 Answer ProcessController::collect() {
-  bell_->ring();
+  terms_.bell->ring();
   const auto is_answered = [this] {
     return out_->answer.load(std::memory_order_acquire) == request_;
   };
-  const WaitLimit limit{.cpu = budget_.tick_cpu + (is_placing_ ? budget_.place_cpu : 0.0),
-                        .wall = budget_.tick_wall,
-                        .fault = FaultCode::hang,
-                        .doing = is_placing_ ? "on one tick and place() and was stopped"
-                                             : "on one tick and was stopped"};
+  const WaitLimit limit{
+      .cpu = terms_.budget.tick_cpu + (is_placing_ ? terms_.budget.place_cpu : 0.0),
+      .wall = terms_.budget.tick_wall,
+      .fault = FaultCode::hang,
+      .doing =
+          is_placing_ ? "on one tick and place() and was stopped" : "on one tick and was stopped"};
   std::optional<WallClock::time_point> until;
-  if (deadline_) {
-    until = posted_at_ + std::chrono::duration_cast<WallClock::duration>(
-                             std::chrono::duration<double>(deadline_->tick));
-  }
+  if (terms_.deadline) until = posted_at_ + wall_time(terms_.deadline->tick);
   if (!is_answered()) {
     const auto start = WallClock::now();
     const double absent_before = absent_;

@@ -21,6 +21,7 @@
 
 #include <chrono>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +67,7 @@ struct ProcessTerms {
   bool keeps_thoughts = false;  // true: keeps the team's shapes
   std::shared_ptr<Doorbell> bell = std::make_shared<Doorbell>();
   std::shared_ptr<MemoryWitness> memory = std::make_shared<MemoryWitness>();
+  std::function<void()> meanwhile = [] {};  // called every 20 ms while a team is awaited
 };
 
 class ProcessController final : public match::Controller {
@@ -96,7 +98,7 @@ class ProcessController final : public match::Controller {
   // does not tell.
   std::optional<double> processor_delay() const { return child_.processor_delay(); }
   // Returns the processor time, s, that the team may have used up to now.
-  double bank_seconds() const { return budget_.bank_after(ticks_, places_); }
+  double bank_seconds() const { return terms_.budget.bank_after(ticks_, places_); }
   // Returns the number of observations that asked the team to place.
   std::uint32_t placements_asked() const { return places_; }
   // Returns the peak of the process's memory, bytes.
@@ -182,10 +184,7 @@ class ProcessController final : public match::Controller {
   system::Descriptor log_pipe_;
   TeamLog log_;
   std::unique_ptr<ThoughtsPage> thoughts_;  // null unless shapes are kept
-  Budget budget_;
-  std::optional<Deadline> deadline_;
-  std::shared_ptr<Doorbell> bell_;
-  std::shared_ptr<MemoryWitness> memory_;
+  ProcessTerms terms_;
   bool is_ready_ = false;
 
   std::optional<AskedMoment> moment_;  // of the last observation that the process got

@@ -28,7 +28,12 @@ enum class Arrival {
 class Inbox {
  public:
   // Sets the present tick. An answer to the present tick is in step.
-  void expect(std::uint32_t tick) { expected_ = tick; }
+  void expect(std::uint32_t tick) {
+    expected_ = tick;
+    is_over_ = false;
+  }
+  // The time of the present tick is over: until the next one begins, an answer to it is late.
+  void end_tick() { is_over_ = true; }
 
   void count_foreign() { ++counts_.foreign; }
   void count_late_driven() { ++counts_.late_driven; }
@@ -45,7 +50,7 @@ class Inbox {
     }
     const bool is_newer = !newest_ || tick > *newest_;
     if (is_newer) newest_ = tick;
-    if (tick < expected_) {
+    if (tick < expected_ || is_over_) {
       ++counts_.late;
       return is_newer ? Arrival::late : Arrival::old;
     }
@@ -68,6 +73,7 @@ class Inbox {
 
  private:
   std::uint32_t expected_ = 0;
+  bool is_over_ = false;
   std::optional<std::uint32_t> answered_;
   std::optional<std::uint32_t> newest_;
   record::CommandCounts counts_;

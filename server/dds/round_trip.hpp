@@ -45,7 +45,7 @@ class RoundTrip {
   }
 
   static constexpr double min_resend_interval = 0.005;  // s
-  static constexpr double max_resend_interval = 0.25;
+  static constexpr double max_resend_interval = 0.1;    // a team leaves after four such times
 
  private:
   struct Sent {

@@ -267,6 +267,7 @@ match::Late Seat::late() {
     inbox_.count_late_driven();
   }
   late_.reset();
+  inbox_.end_tick();
   return late;
 }
 

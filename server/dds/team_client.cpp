@@ -12,12 +12,14 @@ namespace mirocup::dds {
 namespace {
 
 constexpr double hello_interval = 0.25;  // s
-constexpr double max_poll_interval = 0.05;
+constexpr double max_poll_interval = 0.02;
 
-// A server sends states many times a second. After this many seconds without a state the connection
-// is broken, or after `settled_silence` if this host has another address now.
+// A server sends states many times a second, also while it waits. After `settled_silence` (s)
+// without a state, a team that has its seat takes the connection for broken, since a router may
+// have taken another port; so does a team whose host has another address now. A team that waits for
+// its seat has more patience.
 constexpr double max_silence = 3.0;
-constexpr double settled_silence = 0.5;
+constexpr double settled_silence = 0.4;
 
 // The client keeps to the leg in which it has its seat. Only after this many seconds without a
 // state of that leg it believes that the server was started again.
@@ -99,8 +101,9 @@ Result<void> TeamClient::open_readers_and_writers(Link& l) const {
 News TeamClient::wait(double timeout) {
   const auto start = WallClock::now();
   while (true) {
-    look_after_connection();
+    // First, because while the team was thinking or loading, nobody looked at what has come.
     if (auto news = poll()) return std::move(*news);
+    look_after_connection();
     const double left = timeout - seconds_since(start);
     if (left <= 0.0) return Silence{};
     const auto pause = static_cast<dds_duration_t>(1e9 * std::min(left, max_poll_interval)) + 1;
@@ -193,7 +196,7 @@ bool TeamClient::is_cut_off() const {
       seconds_since(acknowledged_at_) > max_unacknowledged_time)
     return true;
   const double silence = seconds_since(std::max(last_heard_at_, connected_at_));
-  return silence > max_silence || (silence > settled_silence && has_moved());
+  return silence > max_silence || (silence > settled_silence && (link_.is_seated || has_moved()));
 }
 
 // The sockets of a domain keep the address that this host had when they were opened.

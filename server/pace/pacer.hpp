@@ -9,6 +9,7 @@
 #include <cassert>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <thread>
 
@@ -46,12 +47,14 @@ class Pacer {
   }
 
   // Waits until the tick is due. The due times of all ticks count from the first call, so a late
-  // tick does not delay later ticks.
-  void wait_for(std::uint32_t tick) {
+  // tick does not delay later ticks. Calls `meanwhile` ten times a second.
+  void wait_for(
+      std::uint32_t tick, const std::function<void()>& meanwhile = [] {}) {
     if (period_ == 0.0) return;
     if (!has_started_) start_ = clock_.now() - tick * period_;
     has_started_ = true;
     const double due = start_ + tick * period_;
+    for (; clock_.now() + pause < due; meanwhile()) clock_.sleep_until(clock_.now() + pause);
     if (clock_.now() < due) clock_.sleep_until(due);
     lateness_.add(std::max(0.0, clock_.now() - due));
   }
@@ -63,6 +66,7 @@ class Pacer {
   const record::Durations& lateness() const { return lateness_; }
 
  private:
+  static constexpr double pause = 0.1;  // s
   WallClock& clock_;
   double period_;
   bool has_started_ = false;

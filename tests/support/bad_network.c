@@ -291,13 +291,15 @@ static void send_out(send_function* real, int socket, const struct msghdr* messa
 
 /* Counts a packet of the process. True while the wire is cut. */
 static int is_cut(int packets) {
-  static long sent, end;
+  static long sent, end; /* packets, ms */
   struct timespec now;
+  long ms;
   if (getenv("BAD_NETWORK_CUT") == NULL) return 0;
   clock_gettime(CLOCK_MONOTONIC, &now);
+  ms = 1000 * now.tv_sec + now.tv_nsec / 1000000;
   sent += packets;
-  if (end == 0 && sent >= (long)number("BAD_NETWORK_CUT")) end = now.tv_sec + 4;
-  return now.tv_sec < end;
+  if (end == 0 && sent >= (long)number("BAD_NETWORK_CUT")) end = ms + 4000;
+  return ms < end;
 }
 
 /* What does not come through the router, does not come. */

@@ -24,27 +24,21 @@ class Credentials : public testing::Test {
     return folder_ / ("league/credentials/" + whose);
   }
 
-  std::vector<std::string> match(const std::string& id, const std::string& limit = "60") const {
-    return match(id, limit, folder_ / "league");
-  }
-
-  std::vector<std::string> match(const std::string& id, const std::string& limit,
-                                 const std::string& league) const {
+  std::vector<std::string> match(const std::string& id, const std::string& limit = "60",
+                                 const std::string& league = "league") const {
     return {program("mirocup"), "match",
             "--blue",           "dds:remote",
             "--yellow",         "keeper",
             "--match",          id,
-            "--credentials",    league + "/credentials/server",
+            "--credentials",    folder_ / (league + "/credentials/server"),
             "--half",           "5",
             "--join-within",    limit,
             "--record",         folder_ / "leg.json"};
   }
 
   static std::vector<std::string> join(const std::string& id, const std::string& credentials) {
-    auto arguments = test_support::join(id, "blue", "remote", "striker");
-    arguments.insert(arguments.end(), {"--join-within", "60"});
-    if (!credentials.empty()) arguments.insert(arguments.end(), {"--credentials", credentials});
-    return arguments;
+    return test_support::join(id, "blue", "remote", "striker",
+                              {"--join-within", "60", "--credentials", credentials});
   }
 
   std::string state_hash(const std::string& record) const {
@@ -132,7 +126,7 @@ TEST_F(Credentials, ExpiredOnesAreRefused) {
   const std::string id = match_id("expired");
   Running turned_back(behind(then - 1, join(id, own)));
   expect_exit(0, run_until_said("expired", [&](const std::string& limit) {
-                return run(match(id, limit, league));
+                return run(match(id, limit, "old"));
               }));
   const auto fault = read_json(folder_ / "leg.json")["result"]["fault"];
   EXPECT_EQ(fault["code"], "start_timeout");
@@ -153,14 +147,15 @@ TEST_F(Credentials, AreValidOnAComputerWhoseClockIsBehind) {
 TEST_F(Credentials, ThatExpireBeforeTheLatestEndAreRefused) {
   expect_exit(0, run(behind(22, {program("mirocup"), "league", "credentials", folder_ / "league",
                                  "--team", "remote2", "--days", "1"})));
+  const std::vector<std::string> own{"--credentials", of("teams/remote2")};
   for (const std::string colour : {"blue", "yellow"}) {
     const std::string other = colour == "blue" ? "yellow" : "blue";
     const std::string id = match_id("expiring-" + colour);
     Running leg({program("mirocup"), "match", "--" + colour, "dds:remote2", "--" + other, "keeper",
                  "--match", id, "--credentials", of("server"), "--half", "30000"});
-    auto arguments = test_support::join(id, colour, "remote2", "striker");
-    arguments.insert(arguments.end(), {"--credentials", of("teams/remote2")});
-    const Outcome joined = expect_exit(3, run(arguments), "warning: the credentials in");
+    const Outcome joined =
+        expect_exit(3, run(test_support::join(id, colour, "remote2", "striker", own)),
+                    "warning: the credentials in");
     EXPECT_TRUE(
         contains(joined.err, "refuses the team: the team's credentials are valid until 20"));
     EXPECT_TRUE(has_said(leg, "credentials are valid until 20")) << leg.err();
@@ -169,9 +164,7 @@ TEST_F(Credentials, ThatExpireBeforeTheLatestEndAreRefused) {
   const std::string id = match_id("in-time");
   Running leg({program("mirocup"), "match", "--blue", "dds:remote2", "--yellow", "keeper",
                "--match", id, "--credentials", of("server"), "--half", "5"});
-  auto arguments = test_support::join(id, "blue", "remote2", "striker");
-  arguments.insert(arguments.end(), {"--credentials", of("teams/remote2")});
-  EXPECT_EQ(run(arguments).exit_code, 0);
+  EXPECT_EQ(run(test_support::join(id, "blue", "remote2", "striker", own)).exit_code, 0);
   EXPECT_EQ(leg.wait().exit_code, 0);
 }
 

@@ -40,30 +40,27 @@ TEST(DdsTeam, PlaysTheSameLegAsItsLibrary) {
 // back after its router has taken another address, or after its wire was cut.
 TEST(DdsTeam, PlaysFromBehindARouterThatTranslatesAddresses) {
   const TemporaryFolder folder;
-  const std::vector<std::string> words{"match", "--yellow", "chaser", "--half", "10"};
-  std::vector<std::string> by_library = words;
-  by_library.insert(by_library.end(), {"--blue", "striker", "--record", folder / "so.json"});
-  ASSERT_EQ(run_mirocup(by_library).exit_code, 0);
+  const auto play = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"match", "--yellow", "chaser", "--half", "10"});
+    return run_mirocup(more);
+  };
+  ASSERT_EQ(play({"--blue", "striker", "--record", folder / "so.json"}).exit_code, 0);
   const std::vector<std::vector<std::string>> wires{
       {"BAD_NETWORK_NAT=0"}, {"BAD_NETWORK_NAT=400"}, {"BAD_NETWORK_NAT=0", "BAD_NETWORK_CUT=400"}};
   for (std::size_t i = 0; i < wires.size(); ++i) {
     const std::string id = match_id("nat") + std::to_string(i);
     Running remote(on_bad_network(join(id, "blue", "remote", "striker"), wires[i]));
-    std::vector<std::string> through = words;
-    through.insert(through.end(), {"--nat", "--open", "--blue", "dds:remote", "--match", id,
-                                   "--away-limit", "60", "--record", folder / "dds.json"});
-    expect_exit(0, run_mirocup(through));
+    expect_exit(0, play({"--nat", "--open", "--blue", "dds:remote", "--match", id, "--away-limit",
+                         "60", "--record", folder / "dds.json"}));
     EXPECT_EQ(remote.wait().exit_code, 0);
     const auto record = read_json(folder / "dds.json");
     EXPECT_EQ(record["state_hash"], read_json(folder / "so.json")["state_hash"]) << i;
     EXPECT_EQ(record["network"]["blue"]["absences"].empty(), i == 0) << record["network"];
   }
-  EXPECT_EQ(run_mirocup({"match", "--yellow", "chaser", "--blue", "dds:x", "--nat"}).exit_code, 2)
-      << "neither credentials nor --open";
+  EXPECT_EQ(play({"--blue", "dds:x", "--nat"}).exit_code, 2) << "neither credentials nor --open";
   const std::string id = match_id("listed");
   Running remote(on_bad_network(join(id, "blue", "remote", "striker"), {"BAD_NETWORK_NAT=0"}));
-  const Outcome without = run_mirocup({"match", "--yellow", "chaser", "--half", "1", "--blue",
-                                       "dds:remote", "--match", id, "--join-within", "6"});
+  const Outcome without = play({"--blue", "dds:remote", "--match", id, "--join-within", "6"});
   EXPECT_TRUE(contains(without.out, "a participant was seen, but no connection to it came about"))
       << without.err;
   EXPECT_TRUE(has_said(remote, "behind a router the match needs --nat")) << remote.err();
@@ -102,10 +99,7 @@ void expect_long_wires_play(bool is_secure) {
     Running leg(on_bad_network(server, wire));
     wire.emplace_back("BAD_NETWORK_NAT=0");
     const auto team = [&](const char* colour, const std::string& name) {
-      auto words = join(id, colour, name, "striker");
-      const auto own = credentials("teams/" + name);
-      words.insert(words.end(), own.begin(), own.end());
-      return on_bad_network(words, wire);
+      return on_bad_network(join(id, colour, name, "striker", credentials("teams/" + name)), wire);
     };
     Running blue(team("blue", "one"));
     Running yellow(team("yellow", "two"));
@@ -140,9 +134,8 @@ TEST(DdsTeam, PlaysOverLongWiresWithCredentials) {
 // Catches a program on the network that loads its library without the parameters.
 TEST(DdsTeam, GetsItsParametersFromItsOwnCommandLine) {
   const std::string id = match_id("tuned");
-  auto words = join(id, "yellow", "far", program("teams/tuned.so"));
-  words.insert(words.end(), {"--param", "speed=8.5", "--param", "spede=1"});
-  Running remote(words);
+  Running remote(join(id, "yellow", "far", program("teams/tuned.so"),
+                      {"--param", "speed=8.5", "--param", "spede=1"}));
   expect_exit(0, run_mirocup({"match", "--blue", "idle", "--yellow", "dds:far", "--half", "2",
                               "--match", id}));
   const Outcome far = expect_exit(0, remote.wait(), "team 1 turns at 8.5");
@@ -231,14 +224,10 @@ TEST(DdsTeam, IsToldThatItsNameIsNotExpected) {
   Running match({program("mirocup"), "match", "--blue", "dds:expected", "--yellow", "idle",
                  "--half", "5", "--match", id, "--join-within", "60"});
   const std::string reason = "does not expect a team called \"stranger\"";
-  expect_exit(3,
-              run_until_said(reason,
-                             [&id](const std::string& patience) {
-                               auto arguments = join(id, "blue", "stranger", "idle");
-                               arguments.insert(arguments.end(), {"--join-within", patience});
-                               return run(arguments);
-                             }),
-              reason);
+  const Outcome told = run_until_said(reason, [&id](const std::string& limit) {
+    return run(join(id, "blue", "stranger", "idle", {"--join-within", limit}));
+  });
+  expect_exit(3, told, reason);
 }
 
 // Each side reacts to Ctrl-C while it waits for the other.

@@ -21,12 +21,15 @@ inline std::string match_id(const std::string& name) {
   return name + "-" + std::to_string(getpid());
 }
 
-// Returns the command line with which a house team, or the library at a path, joins a match.
+// Returns the command line with which a house team, or the library at a path, joins a match, with
+// further options.
 inline std::vector<std::string> join(const std::string& id, const std::string& colour,
-                                     const std::string& name, const std::string& team) {
-  const std::string library =
-      team.find('/') == std::string::npos ? program("house/" + team + ".so") : team;
-  return {program("mirocup"), "join", "--match", id, "--team", colour, "--name", name, library};
+                                     const std::string& name, const std::string& team,
+                                     std::vector<std::string> more = {}) {
+  const bool is_house = team.find('/') == std::string::npos;
+  more.insert(more.begin(), {program("mirocup"), "join", "--match", id, "--team", colour, "--name",
+                             name, is_house ? program("house/" + team + ".so") : team});
+  return more;
 }
 
 // Waits until the process has written `text` to standard error. False if it never does.

@@ -57,14 +57,10 @@ TEST(Protocol, ATeamNamesTheVersionOfItsServer) {
   const std::string id = match_id("former-server");
   Running server({program("dds/intruder"), "other", id, "ours"});
   const std::string reason = "its server sends mirocup::v2::WorldState";
-  expect_exit(3,
-              run_until_said(reason,
-                             [&](const std::string& patience) {
-                               auto arguments = join(id, "blue", "ours", "idle");
-                               arguments.insert(arguments.end(), {"--join-within", patience});
-                               return run(arguments);
-                             }),
-              reason);
+  const Outcome told = run_until_said(reason, [&](const std::string& limit) {
+    return run(join(id, "blue", "ours", "idle", {"--join-within", limit}));
+  });
+  expect_exit(3, told, reason);
 }
 
 // Catches facts that only the teams are told.
@@ -90,12 +86,9 @@ TEST(Protocol, AMatchMayHaveADomainOfItsOwn) {
   const std::string id = match_id("domain");
   Running server(match(id, {"--dds-domain", "7"}));
   ASSERT_TRUE(is_there(server));
-  auto elsewhere = join(id, "blue", "ours", "idle");
-  elsewhere.insert(elsewhere.end(), {"--join-within", "1"});
-  expect_exit(3, run(elsewhere), "no match server answered");
-  auto here = join(id, "blue", "ours", "idle");
-  here.insert(here.end(), {"--dds-domain", "7"});
-  EXPECT_EQ(run(here).exit_code, 0);
+  expect_exit(3, run(join(id, "blue", "ours", "idle", {"--join-within", "1"})),
+              "no match server answered");
+  EXPECT_EQ(run(join(id, "blue", "ours", "idle", {"--dds-domain", "7"})).exit_code, 0);
   EXPECT_EQ(server.wait().exit_code, 0);
   EXPECT_EQ(run(match(id, {"--dds-domain", "231"})).exit_code, 2);
 }

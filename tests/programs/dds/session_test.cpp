@@ -59,6 +59,29 @@ TEST(DdsSession, NoticesWithinTenTicksThatATeamWasKilled) {
   EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
 }
 
+// Both teams take long to load and to decide. Catches a server that is silent while it waits for a
+// process, and a team that leaves without a look at what came while it was at work.
+TEST(DdsSession, StaysWhileEitherTeamIsSlow) {
+  const TemporaryFolder folder;
+  const std::string id = match_id("slow");
+  write_file(folder / "slow.py",
+             "from mirocup.team import Team\n"
+             "import time\n"
+             "class Slow(Team):\n"
+             "    def __init__(self, setup):\n"
+             "        super().__init__(setup); time.sleep(self.parameter('start', 1))\n"
+             "    def decide(self, now):\n"
+             "        return now.tick == self.parameter('tick', 9) and time.sleep(0.7) or []\n");
+  Running remote(join(id, "blue", "remote", folder / "slow.py"));
+  const Outcome played =
+      expect_exit(0, run_mirocup({"match", "--blue", "dds:remote", "--yellow", folder / "slow.py",
+                                  "--half", "1", "--match", id, "--yellow-param", "start=4",
+                                  "--yellow-param", "tick=19", "--record", folder / "leg.json"}));
+  expect_exit(0, remote.wait());
+  EXPECT_EQ(played.err.find("has joined the network anew"), std::string::npos) << played.err;
+  EXPECT_EQ(read_json(folder / "leg.json")["result"]["end"], "full_time");
+}
+
 // Two servers with one ID would tear the team apart between their legs.
 TEST(DdsSession, RefusesASecondServerWithTheSameId) {
   const TemporaryFolder folder;
@@ -113,9 +136,7 @@ TEST(DdsSession, TakesBackATeamWhoseHostHasAnotherAddress) {
   const std::string id = match_id("moves");
   Running leg(match(id, folder / "leg.json",
                     {"--speed", "1", "--half", "4", "--away-limit", "60", "--interface", "home"}));
-  auto words = join(id, "blue", "remote", team("goes_on"));
-  words.insert(words.end(), {"--server", "10.9.0.1"});
-  Running remote(words);
+  Running remote(join(id, "blue", "remote", team("goes_on"), {"--server", "10.9.0.1"}));
   // Before the first tick nobody is absent.
   ASSERT_TRUE(has_said(remote, "tick 2")) << remote.err();
   EXPECT_TRUE(ip("addr del 10.9.0.2/32 dev home") && take_address("3"));
@@ -151,15 +172,11 @@ void expect_no_winner(int signal, const std::string& first, const std::string& s
   for (const auto& fault : result["faults"]) EXPECT_EQ(fault["code"], "disconnected");
 }
 
-TEST(DdsSession, IsWonByNobodyWhenBothTeamsAreKilledAtOnce) {
-  for (const char* first : {"blue", "yellow"}) {
-    for (const char* speed : {"1", "max"}) expect_no_winner(SIGKILL, first, speed);
-  }
-}
-
-TEST(DdsSession, IsWonByNobodyWhenBothTeamsAreStoppedAtOnce) {
-  for (const char* first : {"blue", "yellow"}) {
-    for (const char* speed : {"1", "max"}) expect_no_winner(SIGSTOP, first, speed);
+TEST(DdsSession, IsWonByNobodyWhenBothTeamsAreKilledOrStoppedAtOnce) {
+  for (const int signal : {SIGKILL, SIGSTOP}) {
+    for (const char* first : {"blue", "yellow"}) {
+      for (const char* speed : {"1", "max"}) expect_no_winner(signal, first, speed);
+    }
   }
 }
 
@@ -229,11 +246,8 @@ void expect_restart_works(const std::vector<std::string>& pace, int earliest) {
   EXPECT_EQ(run_mirocup({"verify", folder / "leg.json"}).exit_code, 0);
 }
 
-TEST(DdsSession, TakesATeamBackInRealTime) {
+TEST(DdsSession, TakesATeamBackInRealTimeAndInLockstep) {
   expect_restart_works({"--speed", "1", "--half", "5", "--away-limit", "60"}, 20);
-}
-
-TEST(DdsSession, TakesATeamBackInLockstep) {
   expect_restart_works({"--half", "5"}, 30);
 }
 
@@ -264,14 +278,10 @@ TEST(DdsSession, KeepsTheSeatForTheProcessThatPlays) {
   Running first(join(id, "blue", "remote", "striker"));
   ASSERT_TRUE(has_said(first, "remote plays blue"));
   const std::string reason = "another process of the team is playing";
-  expect_exit(3,
-              run_until_said(reason,
-                             [&id](const std::string& patience) {
-                               auto arguments = join(id, "blue", "remote", "chaser");
-                               arguments.insert(arguments.end(), {"--join-within", patience});
-                               return run(arguments);
-                             }),
-              reason);
+  const Outcome told = run_until_said(reason, [&id](const std::string& limit) {
+    return run(join(id, "blue", "remote", "chaser", {"--join-within", limit}));
+  });
+  expect_exit(3, told, reason);
   EXPECT_FALSE(contains(leg.err(), "takes the team's seat"));
 }
 

@@ -46,8 +46,8 @@ TEST(RoundTrip, ForgetsOldTicksAndFollowsTheNetwork) {
   trip.sent(3 + 64, 1.0);
   EXPECT_FALSE(trip.answered(3, 1.1));
   play(trip, 100, 0.0002, 0);
-  play(trip, 100, 0.1, 0);
-  EXPECT_NEAR(trip.resend_after(), 0.15, 1e-9);
+  play(trip, 100, 0.06, 0);
+  EXPECT_NEAR(trip.resend_after(), 0.09, 1e-9);
 }
 
 }  // namespace

@@ -35,8 +35,10 @@ TEST(Pacer, CatchesUpAfterALateTick) {
   clock.time += 0.2;  // six ticks late
   pacer.wait_for(1);
   EXPECT_NEAR(clock.time, 100.2, 1e-9);
-  pacer.wait_for(10);
+  int calls = 0;
+  pacer.wait_for(10, [&calls] { ++calls; });
   EXPECT_NEAR(clock.time, 100.33, 1e-9);
+  EXPECT_EQ(calls, 1);  // ten times a second
 }
 
 TEST(Pacer, CountsHowLateTicksBegin) {
