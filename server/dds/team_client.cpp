@@ -32,7 +32,8 @@ constexpr double max_unacknowledged_time = 1.5;
 
 // Between leaving the network and joining it again, s. Cyclone takes a participant down in the
 // background, within milliseconds. If the next one is there before that, Cyclone 0.10 takes it for
-// one that has already been told of the server's topics, and it never receives anything.
+// one that has already been told of the server's topics, and it never receives anything. A new
+// domain, which a host with another address opens, knows nothing of the former one.
 constexpr double rejoin_pause = 0.25;
 
 bool is_in_partition(const dds_qos_t* qos, std::string_view partition) {
@@ -212,7 +213,7 @@ void TeamClient::look_after_connection() {
     left_at_ = WallClock::now();
   }
   if (left_at_) {
-    if (seconds_since(*left_at_) < rejoin_pause) return;
+    if (seconds_since(*left_at_) < rejoin_pause && !has_moved()) return;
     left_at_.reset();
     if (!connect()) return;  // the next silence tries again
   }
