@@ -86,8 +86,9 @@ void expect_long_wires_play(bool is_secure) {
   run(play("striker", "striker", "so.json"));
   using Row = std::array<std::string, 3>;  // ms one way, share of lost packets, speed
   for (const auto& [ms, loss, speed] :
-       {Row{"5", "0", "1"}, Row{"5", "0.01", "1"}, Row{"10", "0.01", "1"}, Row{"20", "0.01", "1"},
-        Row{"20", "0.01", "max"}, Row{"0", "0.2", "max"}}) {
+       {Row{"0", "0", "1"}, Row{"5", "0", "1"}, Row{"5", "0.01", "1"}, Row{"5", "0.05", "1"},
+        Row{"10", "0", "1"}, Row{"10", "0.01", "1"}, Row{"10", "0.05", "1"}, Row{"20", "0.01", "1"},
+        Row{"20", "0.05", "max"}, Row{"0", "0.2", "max"}}) {
     const std::string id = match_id("wire") + ms + loss + speed;
     std::vector<std::string> wire{"BAD_NETWORK_DELAY=" + ms, "BAD_NETWORK_LOSS=" + loss};
     auto server = play("dds:one", "dds:two", "dds.json");
