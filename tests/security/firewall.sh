@@ -7,7 +7,7 @@
 set -euo pipefail
 PATH=$PATH:/usr/sbin
 if [ -z "${IN_NAMESPACE:-}" ]; then
-  command -v nft ip >/dev/null || { echo "skipped: needs nftables and iproute2"; exit 77; }
+  command -v nft >/dev/null && command -v ip >/dev/null || { echo "skipped: needs nftables and iproute2"; exit 77; }
   unshare --map-root-user --net nft list ruleset 2>/dev/null || { echo "skipped: needs a network namespace"; exit 77; }
   IN_NAMESPACE=1 exec unshare --map-root-user --net "$0" "$@"
 fi
