@@ -167,9 +167,8 @@ void CheckRunner::look_at_checks() {
 
 // Stops one check or friendly, if a hand-in waits that may begin.
 void CheckRunner::make_room(const std::vector<RunningCheck>& uses) {
-  const bool is_stopping = std::any_of(running_.begin(), running_.end(), [](const auto& one) {
-    return one.second.stopped.has_value();
-  });
+  const bool is_stopping =
+      std::ranges::any_of(running_, [](const auto& one) { return one.second.stopped.has_value(); });
   if (is_stopping || !portal_.has_next() || friendlies_.give_way()) return;
   const auto stopped = portal_.to_stop(uses);
   if (!stopped) return;

@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::string_view bearer = "Bearer ";
 
+tl::unexpected<Refusal> refused(int status, std::string why) {
+  return tl::unexpected(Refusal{status, std::move(why)});
+}
+
 // Makes browsers take the cookie over TLS only, and from this host only.
 constexpr const char* secure_prefix = "__Host-";
 
@@ -38,11 +42,13 @@ Doorkeeper::Doorkeeper(system::Files& files, Folder folder, std::string team_hea
     sessions_ = Sessions::parse(*text);
 }
 
-Result<void> Doorkeeper::read_tokens_again() {
+tl::expected<void, Refusal> Doorkeeper::read_tokens_again() {
   const std::string path = tokens_path(folder_);
-  MIROCUP_TRY(auto text, files_.read_if_there(path, {.max_size = system::size_limit::note}));
+  MIROCUP_TRY(auto text, files_.read_if_there(path, {.max_size = system::size_limit::note})
+                             .map_error(refusal_of_host));
   if (text == tokens_text_) return {};
-  MIROCUP_TRY(auto tokens, text ? parse_tokens(*text, path) : TokenList{});
+  MIROCUP_TRY(auto tokens,
+              (text ? parse_tokens(*text, path) : TokenList{}).map_error(refusal_of_host));
   tokens_text_ = std::move(text);
   tokens_ = std::move(tokens);
   return {};
@@ -66,15 +72,15 @@ std::string Doorkeeper::cookie_header(const web::Request& request, const std::st
          (is_secure ? "; Secure" : "");
 }
 
-std::optional<Refusal> Doorkeeper::foreign(const web::Request& request,
-                                           bool must_have_origin) const {
-  if (!request.headers.contains("origin") && !must_have_origin) return std::nullopt;
+tl::expected<void, Refusal> Doorkeeper::expect_own_page(const web::Request& request,
+                                                        bool must_have_origin) const {
+  if (!request.headers.contains("origin") && !must_have_origin) return {};
   const std::string origin = system::lower_case(request.header("origin"));
   const std::string host = system::lower_case(request.header("host"));
   const bool is_own = !host.empty() && (origin == "https://" + host ||
                                         (!request.is_encrypted && origin == "http://" + host));
-  if (is_own) return std::nullopt;
-  return Refusal{403, "the request comes from a page of another site"};
+  if (is_own) return {};
+  return refused(403, "the request comes from a page of another site");
 }
 
 Refusal Doorkeeper::wrong_token(const web::Request& request, std::string_view token,
@@ -99,15 +105,12 @@ bool Doorkeeper::has_credentials(const web::Request& request) const {
          (request.is_from_proxy && !team_header_.empty() && request.headers.contains(team_header_));
 }
 
-Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& request,
-                                                         Purpose purpose, std::int64_t now) {
-  using Answer = std::variant<Visitor, Refusal>;
+tl::expected<Visitor, Refusal> Doorkeeper::admit(const web::Request& request, Purpose purpose,
+                                                 std::int64_t now) {
   MIROCUP_TRY_VOID(read_tokens_again());
-  if (!has_credentials(request)) return Answer(Refusal{401, "a token is needed"});
+  if (!has_credentials(request)) return refused(401, "a token is needed");
   const bool by_token = request.headers.contains("authorization");
-  if (purpose == Purpose::changing) {
-    if (auto refusal = foreign(request, !by_token)) return Answer(*refusal);
-  }
+  if (purpose == Purpose::changing) MIROCUP_TRY_VOID(expect_own_page(request, !by_token));
   const auto visitor_of = [](const Token& token) {
     return Visitor{token.team, token.role, token.person, token.sha256};
   };
@@ -116,48 +119,46 @@ Result<std::variant<Visitor, Refusal>> Doorkeeper::admit(const web::Request& req
     const std::string header = request.header("authorization");
     if (header.size() <= bearer.size() || system::lower_case(header.substr(0, bearer.size())) !=
                                               system::lower_case(std::string(bearer)))
-      return Answer(Refusal{401, "a token is expected: Authorization: Bearer TOKEN"});
+      return refused(401, "a token is expected: Authorization: Bearer TOKEN");
     const std::string_view text = std::string_view(header).substr(bearer.size());
-    const Token* token = tokens_.find(text, utc);
-    return token != nullptr ? Answer(visitor_of(*token)) : Answer(wrong_token(request, text, now));
+    if (const Token* token = tokens_.find(text, utc)) return visitor_of(*token);
+    return tl::unexpected(wrong_token(request, text, now));
   }
   if (const std::string cookie = cookie_of(request); !cookie.empty()) {
     const std::string sha256 = sessions_.token_of(cookie, now);
     const Token* token = sha256.empty() ? nullptr : tokens_.find_sha256(sha256, utc);
-    if (token != nullptr) return Answer(visitor_of(*token));
-    return Answer(Refusal{401, "the session has ended: type the token again"});
+    if (token != nullptr) return visitor_of(*token);
+    return refused(401, "the session has ended: type the token again");
   }
   if (request.is_from_proxy && !team_header_.empty()) {
-    if (const auto named = visitor_of_proxy(request.header(team_header_))) return Answer(*named);
+    if (const auto named = visitor_of_proxy(request.header(team_header_))) return *named;
   }
-  return Answer(Refusal{401, "a token is needed"});
+  return refused(401, "a token is needed");
 }
 
-Result<void> Doorkeeper::keep_sessions() {
-  return files_.write(sessions_path(), sessions_.text(), system::Readers::owner);
+tl::expected<void, Refusal> Doorkeeper::keep_sessions() {
+  return files_.write(sessions_path(), sessions_.text(), system::Readers::owner)
+      .map_error(refusal_of_host);
 }
 
-Result<std::variant<std::string, Refusal>> Doorkeeper::log_in(const web::Request& request,
-                                                              std::string_view token,
-                                                              std::int64_t now) {
-  using Answer = std::variant<std::string, Refusal>;
-  if (auto refusal = foreign(request, true)) return Answer(*refusal);
+tl::expected<std::string, Refusal> Doorkeeper::log_in(const web::Request& request,
+                                                      std::string_view token, std::int64_t now) {
+  MIROCUP_TRY_VOID(expect_own_page(request, true));
   MIROCUP_TRY_VOID(read_tokens_again());
   const Token* known = tokens_.find(token, utc_text(now));
-  if (known == nullptr) return Answer(wrong_token(request, token, now));
+  if (known == nullptr) return tl::unexpected(wrong_token(request, token, now));
   const std::string cookie = sessions_.begin(known->sha256, now);
   MIROCUP_TRY_VOID(keep_sessions());
-  return Answer(cookie_header(request, cookie, Sessions::duration));
+  return cookie_header(request, cookie, Sessions::duration);
 }
 
-Result<std::variant<std::string, Refusal>> Doorkeeper::log_out(const web::Request& request) {
-  using Answer = std::variant<std::string, Refusal>;
-  if (auto refusal = foreign(request, true)) return Answer(*refusal);
+tl::expected<std::string, Refusal> Doorkeeper::log_out(const web::Request& request) {
+  MIROCUP_TRY_VOID(expect_own_page(request, true));
   if (const std::string cookie = cookie_of(request); !cookie.empty()) {
     sessions_.end(cookie);
     MIROCUP_TRY_VOID(keep_sessions());
   }
-  return Answer(cookie_header(request, "", 0));
+  return cookie_header(request, "", 0);
 }
 
 }  // namespace mirocup::league

@@ -10,12 +10,10 @@
 // Threads: one at a time.
 #pragma once
 
+#include "tournaments/handin/replies.hpp"
 #include "tournaments/handin/sessions.hpp"
 #include "tournaments/handin/tokens.hpp"
 #include "tournaments/publish/snapshot.hpp"
-#include "web/http/request.hpp"
-
-#include <variant>
 
 namespace mirocup::league {
 
@@ -28,13 +26,6 @@ struct Visitor {
 
   bool sees_all() const { return role != Role::team; }
   Viewer viewer() const { return sees_all() ? Viewer::staff : Viewer::team; }
-};
-
-// Why a request is refused.
-struct Refusal {
-  int status = 401;
-  std::string why;        // a sentence
-  std::int64_t wait = 0;  // s until the sender may try again; 0: no wait
 };
 
 enum class Purpose { reading, changing };
@@ -50,31 +41,32 @@ class Doorkeeper {
   // remove this header from requests of viewers.
   Doorkeeper(system::Files& files, Folder folder, std::string team_header);
 
-  // `now` is in s since 1970. An error means that tokens.json cannot be read.
-  Result<std::variant<Visitor, Refusal>> admit(const web::Request& request, Purpose purpose,
-                                               std::int64_t now);
+  // `now` is in s since 1970. If tokens.json cannot be read, everybody is refused with a 503.
+  tl::expected<Visitor, Refusal> admit(const web::Request& request, Purpose purpose,
+                                       std::int64_t now);
 
   // True if the request has a token, a session, or the header of a proxy. admit() checks whether
   // they are valid.
   bool has_credentials(const web::Request& request) const;
 
   // Begins a session with a typed token. Returns the header "Set-Cookie".
-  Result<std::variant<std::string, Refusal>> log_in(const web::Request& request,
-                                                    std::string_view token, std::int64_t now);
+  tl::expected<std::string, Refusal> log_in(const web::Request& request, std::string_view token,
+                                            std::int64_t now);
 
   // Ends the session of the request and returns a header that makes the browser forget its cookie.
-  Result<std::variant<std::string, Refusal>> log_out(const web::Request& request);
+  tl::expected<std::string, Refusal> log_out(const web::Request& request);
 
  private:
-  Result<void> read_tokens_again();
+  tl::expected<void, Refusal> read_tokens_again();
   std::string cookie_of(const web::Request& request) const;
   std::string cookie_header(const web::Request& request, const std::string& value,
                             std::int64_t seconds) const;
-  // Returns why a request for a change is refused; nothing if it comes from a page of this server.
-  std::optional<Refusal> foreign(const web::Request& request, bool must_have_origin) const;
+  // Refuses a request for a change unless it comes from a page of this server.
+  tl::expected<void, Refusal> expect_own_page(const web::Request& request,
+                                              bool must_have_origin) const;
   Refusal wrong_token(const web::Request& request, std::string_view token, std::int64_t now);
   std::string sessions_path() const { return folder_.path + "/sessions.json"; }
-  Result<void> keep_sessions();
+  tl::expected<void, Refusal> keep_sessions();
 
   system::Files& files_;
   Folder folder_;

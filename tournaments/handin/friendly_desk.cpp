@@ -83,7 +83,7 @@ web::Reply FriendlyDesk::ask(const std::string& team, const std::string& opponen
   if (is_house(opponent)) {
     const auto& house = state_.options.friendlies.house;
     const std::string name = opponent.substr(opponent.find(':') + 1);
-    if (std::find(house.begin(), house.end(), name) == house.end())
+    if (std::ranges::find(house, name) == house.end())
       return problem_reply(404, "no house team has this name");
   } else {
     const auto teams = entries_that_play();

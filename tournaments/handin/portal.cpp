@@ -4,7 +4,6 @@
 #include "record/json_reader.hpp"
 #include "system/text.hpp"
 #include "tournaments/handin/progress.hpp"
-#include "tournaments/handin/replies.hpp"
 #include "tournaments/publish/site_file.hpp"
 #include "web/http/form.hpp"
 
@@ -19,27 +18,17 @@ constexpr int max_failures = 10;  // of the host, until a hand-in is void
 constexpr int max_pins = 10;      // of a team in an hour
 constexpr int max_spent = 2;      // checks that used up their time, until it is refused
 
-// The sentence of a problem_reply().
-std::string reason_of(const web::Reply& refusal) {
-  return record::text_in(record::parse_json(refusal.bytes).value, "error");
-}
-
-web::Reply reply_to(const Refusal& refusal) {
-  web::Reply reply = problem_reply(refusal.status, refusal.why);
-  if (refusal.status == 401) reply.headers.emplace_back("WWW-Authenticate", "Bearer");
-  if (refusal.wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal.wait));
-  return reply;
-}
-
 // Returns the number in ?before=N, below which the entries of a list are.
-std::optional<int> before_of(const Call& call) {
+tl::expected<int, web::Reply> before_of(const Call& call) {
   const std::string asked = call.request.asked("before");
-  return asked.empty() ? std::numeric_limits<int>::max() : number_of(asked);
+  if (asked.empty()) return std::numeric_limits<int>::max();
+  if (const auto number = number_of(asked)) return *number;
+  return tl::unexpected(problem_reply(400, "?before=N is expected"));
 }
 
 // The way to the team's page from /hand-in/log-in and /hand-in/log-out.
 web::Reply go_to_desk(const std::string& cookie) {
-  return {.status = 303, .headers = {{"Location", "../hand-in"}, {"Set-Cookie", cookie}}};
+  return moved_to("../hand-in", cookie);
 }
 
 }  // namespace
@@ -118,12 +107,9 @@ Result<void> Portal::follow_book() {
   return {};
 }
 
-std::variant<Visitor, web::Reply> Portal::visitor(const web::Request& request, Purpose purpose) {
-  const std::lock_guard lock(state_.mutex);
-  const auto admitted = doorkeeper_.admit(request, purpose, state_.options.now());
-  if (!admitted) return host_failed(admitted.error());
-  if (const auto* refusal = std::get_if<Refusal>(&*admitted)) return reply_to(*refusal);
-  return std::get<Visitor>(*admitted);
+web::Reply Portal::reply_of(const Route& route, const Call& call) {
+  ReplyOrRefusal answer = (this->*route.answer)(call);
+  return answer ? std::move(*answer) : std::move(answer.error());
 }
 
 std::optional<web::Reply> Portal::answer(const web::Request& request, const web::Body& body) {
@@ -139,7 +125,7 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
     route = &one;
     call.parts = std::move(*parts);
   }
-  if (route != nullptr && route->who == Who::everybody) return (this->*route->answer)(call);
+  if (route != nullptr && route->who == Who::everybody) return reply_of(*route, call);
   // Below /api/, only those who are known learn what is there.
   const bool is_api = request.path.starts_with("/api/");
   if (route == nullptr && !is_api)
@@ -152,7 +138,7 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   if (auto refused = refused_role(route->who, call.visitor)) return refused;
   if (const auto fresh = refresh(); !fresh) return host_failed(fresh.error());
   if (auto refused = name_team(call, route->about)) return refused;
-  web::Reply reply = (this->*route->answer)(call);
+  web::Reply reply = reply_of(*route, call);
   if (!request.is_reading() && reply.status / 100 != 4) state_.options.has_written();
   reply.is_for_known = true;
   return reply;
@@ -166,19 +152,17 @@ Result<void> Portal::refresh() {
 
 // Finds out who comes. Returns the reply to somebody who is not known.
 std::optional<web::Reply> Portal::admit(Call& call, bool is_page) {
-  if (is_page) {
-    const std::lock_guard lock(state_.mutex);
-    if (!doorkeeper_.has_credentials(call.request))
-      return desk_reply(200, log_in_page("", web::root_of(call.request.path)));
-  }
-  auto who =
-      visitor(call.request, call.request.is_reading() ? Purpose::reading : Purpose::changing);
-  if (auto* refusal = std::get_if<web::Reply>(&who)) {
-    if (!is_page) return std::move(*refusal);
-    return desk_reply(refusal->status,
-                      log_in_page(reason_of(*refusal), web::root_of(call.request.path)));
-  }
-  call.visitor = std::get<Visitor>(std::move(who));
+  const web::Request& request = call.request;
+  const auto log_in_reply = [&request](int status, const std::string& why) {
+    return desk_reply(status, log_in_page(why, web::root_of(request.path)));
+  };
+  const std::lock_guard lock(state_.mutex);
+  if (is_page && !doorkeeper_.has_credentials(request)) return log_in_reply(200, "");
+  const auto purpose = request.is_reading() ? Purpose::reading : Purpose::changing;
+  auto known = doorkeeper_.admit(request, purpose, state_.options.now());
+  if (!known && is_page) return log_in_reply(known.error().status, known.error().why);
+  if (!known) return reply_to(known.error());
+  call.visitor = std::move(*known);
   call.team = call.visitor.team;
   return std::nullopt;
 }
@@ -196,42 +180,44 @@ std::optional<web::Reply> Portal::name_team(Call& call, About about) {
   return std::nullopt;
 }
 
-web::Reply Portal::lead_to_desk(const Call&) {
-  return {.status = 308, .headers = {{"Location", "../hand-in"}}};
+ReplyOrRefusal Portal::lead_to_desk(const Call&) {
+  return web::Reply{.status = 308, .headers = {{"Location", "../hand-in"}}};
 }
 
-web::Reply Portal::desk(const Call& call) {
+ReplyOrRefusal Portal::desk(const Call& call) {
   const Visitor& known = call.visitor;
   if (const std::string team = call.request.asked("team"); known.sees_all() && !team.empty()) {
-    return is_good_name(team)
-               ? staff_.legs_of(known, team, state_.options.legs(Viewer::staff, team))
-               : problem_reply(404, "there is no such team");
+    if (!is_good_name(team)) return problem_reply(404, "there is no such team");
+    return staff_.legs_of(known, team, state_.options.legs(Viewer::staff, team))
+        .map_error(host_failed_for_staff);
   }
   if (known.sees_all()) {
-    return staff_.page(known, {.done = number_of(call.request.asked("done")).value_or(0),
-                               .given = {{"fixture", call.request.asked("fixture")},
-                                         {"leg", call.request.asked("leg")}}});
+    return staff_
+        .page(known, {.done = number_of(call.request.asked("done")).value_or(0),
+                      .given = {{"fixture", call.request.asked("fixture")},
+                                {"leg", call.request.asked("leg")}}})
+        .map_error(host_failed_for_staff);
   }
-  const auto before = before_of(call);
-  return before ? team_page(known.team, *before) : problem_reply(400, "?before=N is expected");
+  MIROCUP_TRY(const int before, before_of(call));
+  return team_page(known.team, before);
 }
 
 // The forms of the page of the staff.
-web::Reply Portal::act(const Call& call) {
+ReplyOrRefusal Portal::act(const Call& call) {
   const auto form = web::read_form(call.body);
   if (!form) return problem_reply(400, "the form did not arrive completely, or is too long");
-  web::Reply reply = staff_.act(call.visitor, *form, web::root_of(call.request.path));
+  auto reply = staff_.act(call.visitor, *form, web::root_of(call.request.path));
   ++state_.version;
-  return reply;
+  return reply.map_error(host_failed_for_staff);
 }
 
-web::Reply Portal::grades(const Call&) {
-  return staff_.grades();
+ReplyOrRefusal Portal::grades(const Call&) {
+  return staff_.grades().map_error(host_failed_for_staff);
 }
 
 // A team may see its leg before the public does, with its own thoughts. The staff names the team,
 // as for the API, and sees the thoughts of both teams.
-web::Reply Portal::own_replay(const Call& call) {
+ReplyOrRefusal Portal::own_replay(const Call& call) {
   const bool sees_all = call.visitor.sees_all();
   for (const OwnLeg& leg : state_.options.legs(
            call.visitor.viewer(), sees_all ? call.request.asked("team") : call.visitor.team)) {
@@ -248,35 +234,32 @@ web::Reply Portal::own_replay(const Call& call) {
                                           sees_all ? record::of_both : own_side(leg), links))
       return replay_reply(std::move(page));
     // A leg of another version may go another way here: then its page is the one that is kept.
-    return {
-        .status = 303,
-        .headers = {{"Location", web::root_of(call.request.path) + replay_page_of(leg.record)}}};
+    return moved_to(web::root_of(call.request.path) + replay_page_of(leg.record));
   }
   return problem_reply(404, "your team has no leg of this name");
 }
 
 // Returns the whole report of the entry whose number is the first part of the path, or the reply
 // that there is none.
-std::variant<Json, web::Reply> Portal::entry_of(const Call& call) {
-  if (!is_good_name(call.team)) return problem_reply(404, "?team=NAME is expected");
-  const auto number = number_of(call.parts.front());
-  auto known = number ? entries_.report(call.team, *number, true) : Json();
-  if (!known) return host_failed(known.error());
-  if (known->is_null()) return problem_reply(404, call.team + " has no entry of this number");
-  return std::move(*known);
+tl::expected<Json, web::Reply> Portal::entry_of(const Call& call) {
+  const bool is_named = is_good_name(call.team);
+  const auto number = is_named ? number_of(call.parts.front()) : std::nullopt;
+  MIROCUP_TRY(Json known,
+              (number ? entries_.report(call.team, *number, true) : Json()).map_error(host_failed));
+  if (!known.is_null()) return known;
+  return tl::unexpected(problem_reply(
+      404, is_named ? call.team + " has no entry of this number" : "?team=NAME is expected"));
 }
 
-web::Reply Portal::entry_page_of(const Call& call) {
-  auto entry = entry_of(call);
-  if (auto* refused = std::get_if<web::Reply>(&entry)) return std::move(*refused);
-  return desk_reply(200, entry_page(std::get<Json>(entry), state_.options.time_in_words,
+ReplyOrRefusal Portal::entry_page_of(const Call& call) {
+  MIROCUP_TRY(const Json entry, entry_of(call));
+  return desk_reply(200, entry_page(entry, state_.options.time_in_words,
                                     web::root_of(call.request.path), call.visitor.sees_all()));
 }
 
-web::Reply Portal::entry_replay(const Call& call) {
-  auto entry = entry_of(call);
-  if (auto* refused = std::get_if<web::Reply>(&entry)) return std::move(*refused);
-  if (!std::get<Json>(entry).contains("replay"))
+ReplyOrRefusal Portal::entry_replay(const Call& call) {
+  MIROCUP_TRY(const Json entry, entry_of(call));
+  if (!entry.contains("replay"))
     return problem_reply(404, call.team + " has no entry of this number");
   return replay_reply(state_.options.friendlies.replay(
       state_.folder.gate_leg(call.team, *number_of(call.parts.front())), record::of_nobody,
@@ -299,7 +282,7 @@ Json Portal::released_mark(const std::string& team) const {
 }
 
 // The replay of one of the legs that decide a team's mark.
-web::Reply Portal::mark_replay(const Call& call) {
+ReplyOrRefusal Portal::mark_replay(const Call& call) {
   Json mark = released_mark(call.team);
   for (const Json& leg : mark["legs"]) {
     if (number_text(leg, "number", "%.0f") != call.parts.front()) continue;
@@ -310,13 +293,12 @@ web::Reply Portal::mark_replay(const Call& call) {
   return problem_reply(404, "no leg of this number decides the mark of " + call.team);
 }
 
-web::Reply Portal::team_page(const std::string& team, int before) {
+ReplyOrRefusal Portal::team_page(const std::string& team, int before) {
   TeamDesk desk;
   desk.team = team;
-  auto page = entries_.reports(team, before);
-  if (!page) return host_failed(page.error());
-  desk.entries = std::move((*page)["entries"]);
-  desk.older = std::move((*page)["older"]);
+  MIROCUP_TRY(Json page, entries_.reports(team, before).map_error(host_failed));
+  desk.entries = std::move(page["entries"]);
+  desk.older = std::move(page["older"]);
   desk.legs = own_legs_json(state_.files, state_.folder, state_.options.legs(Viewer::team, team),
                             state_.costs);
   desk.friendlies = friendlies_.list(team, state_.costs);
@@ -343,7 +325,7 @@ Json Portal::progress(const std::string& team, const Json& friendlies) const {
   return progress_of(friendlies, [&](int entry) { return friendlies_.drills_of(team, entry); });
 }
 
-web::Reply Portal::list_friendlies(const Call& call) {
+ReplyOrRefusal Portal::list_friendlies(const Call& call) {
   const Json friendlies = friendlies_.list(call.team, state_.costs);
   const Json progress = this->progress(call.team, friendlies);
   return json_reply(200, {{"team", call.team},
@@ -353,46 +335,42 @@ web::Reply Portal::list_friendlies(const Call& call) {
                           {"opponents", friendlies_.opponents(call.team)}});
 }
 
-web::Reply Portal::ask_friendly(const Call& call) {
+ReplyOrRefusal Portal::ask_friendly(const Call& call) {
   return friendlies_.ask(call.team, call.request.asked("opponent"));
 }
 
-web::Reply Portal::show_friendly(const Call& call) {
+ReplyOrRefusal Portal::show_friendly(const Call& call) {
   return friendlies_.show(call.team, std::string(call.parts[0]), call.parts[1], call.parts[2],
                           web::root_of(call.request.path));
 }
 
-web::Reply Portal::list_entries(const Call& call) {
-  const auto before = before_of(call);
-  if (!before) return problem_reply(400, "?before=N is expected");
-  const auto page = entries_.reports(call.team, *before);
-  return page ? json_reply(200, *page) : host_failed(page.error());
+ReplyOrRefusal Portal::list_entries(const Call& call) {
+  MIROCUP_TRY(const int before, before_of(call));
+  MIROCUP_TRY(const Json page, entries_.reports(call.team, before).map_error(host_failed));
+  return json_reply(200, page);
 }
 
-web::Reply Portal::show_entry(const Call& call) {
-  auto entry = entry_of(call);
-  if (auto* refused = std::get_if<web::Reply>(&entry)) return std::move(*refused);
-  return json_reply(200, std::get<Json>(entry));
+ReplyOrRefusal Portal::show_entry(const Call& call) {
+  MIROCUP_TRY(const Json entry, entry_of(call));
+  return json_reply(200, entry);
 }
 
-web::Reply Portal::tell_entry(const Call& call) {
-  auto entry = entry_of(call);
-  if (auto* refused = std::get_if<web::Reply>(&entry)) return std::move(*refused);
+ReplyOrRefusal Portal::tell_entry(const Call& call) {
+  MIROCUP_TRY_VOID(entry_of(call));
   return entries_.events(call.team, *number_of(call.parts.front()));
 }
 
-web::Reply Portal::take(const Call& call) {
+ReplyOrRefusal Portal::take(const Call& call) {
   return uploads_.take(call.request, call.body, call.team);
 }
 
 // A team chooses the accepted entry that plays: its number, or "latest".
-web::Reply Portal::pin(const Call& call) {
+ReplyOrRefusal Portal::pin(const Call& call) {
   const std::string& team = call.team;
   const std::string asked = call.request.asked("entry");
   const auto entry = asked == "latest" ? std::optional(0) : number_of(asked);
   if (!entry) return problem_reply(400, "?entry=N or ?entry=latest is expected");
-  auto booking = Booking::begin(state_.files, state_.folder);
-  if (!booking) return host_failed(booking.error());
+  MIROCUP_TRY(auto booking, Booking::begin(state_.files, state_.folder).map_error(host_failed));
   const std::lock_guard lock(state_.mutex);
   const std::int64_t now = state_.options.now();
   const HandIns& hand_ins = state_.book.hand_ins();
@@ -401,15 +379,15 @@ web::Reply Portal::pin(const Call& call) {
     return problem_reply(429, team + " has chosen its version " + std::to_string(max_pins) +
                                   " times in the last hour; choose again later");
   }
-  const auto done = booking->pin(state_.book, team, *entry, now);
-  if (!done) return host_failed(done.error());
-  if (!done->empty()) return problem_reply(409, *done);
+  MIROCUP_TRY(const auto why_not,
+              booking.pin(state_.book, team, *entry, now).map_error(host_failed));
+  if (!why_not.empty()) return problem_reply(409, why_not);
   ++state_.version;
   return json_reply(
       200, {{"pinned", *entry > 0 ? Json(*entry) : Json()}, {"playing", hand_ins.playing(team)}});
 }
 
-web::Reply Portal::list_legs(const Call& call) {
+ReplyOrRefusal Portal::list_legs(const Call& call) {
   return json_reply(
       200, {{"team", call.team},
             {"legs",
@@ -417,7 +395,7 @@ web::Reply Portal::list_legs(const Call& call) {
                            state_.options.legs(call.visitor.viewer(), call.team), state_.costs)}});
 }
 
-web::Reply Portal::show_log(const Call& call) {
+ReplyOrRefusal Portal::show_log(const Call& call) {
   // Only a leg of the team has a name that is looked for; no path comes from the request.
   for (const OwnLeg& leg : state_.options.legs(call.visitor.viewer(), call.team)) {
     if (leg.record.empty() || call.parts.front() != name_of_leg(leg)) continue;
@@ -426,32 +404,26 @@ web::Reply Portal::show_log(const Call& call) {
   return problem_reply(404, call.team + " has played no leg of this name");
 }
 
-web::Reply Portal::log_in(const Call& call) {
+ReplyOrRefusal Portal::log_in(const Call& call) {
   const auto form = web::read_form(call.body);
   const std::string root = web::root_of(call.request.path);
   if (!form) return desk_reply(400, log_in_page("the form did not arrive completely", root));
   const std::lock_guard lock(state_.mutex);
   const auto done =
       doorkeeper_.log_in(call.request, value_of(*form, "token"), state_.options.now());
-  if (!done)
-    return desk_reply(503, log_in_page("this server cannot do that now; try again later", root));
-  if (const auto* refusal = std::get_if<Refusal>(&*done)) {
-    web::Reply reply = desk_reply(refusal->status, log_in_page(refusal->why, root));
-    if (refusal->wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal->wait));
-    return reply;
-  }
-  return go_to_desk(std::get<std::string>(*done));
+  if (done) return go_to_desk(*done);
+  const auto& [status, why, wait] = done.error();
+  web::Reply reply = desk_reply(status, log_in_page(why, root));
+  if (wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(wait));
+  return reply;
 }
 
-web::Reply Portal::log_out(const Call& call) {
+ReplyOrRefusal Portal::log_out(const Call& call) {
   const std::lock_guard lock(state_.mutex);
-  const auto done = doorkeeper_.log_out(call.request);
-  if (!done) return host_failed(done.error());
-  if (const auto* refusal = std::get_if<Refusal>(&*done)) return reply_to(*refusal);
-  return go_to_desk(std::get<std::string>(*done));
+  return doorkeeper_.log_out(call.request).map(go_to_desk).map_error(reply_to);
 }
 
-web::Reply Portal::about_team(const Call& call) {
+ReplyOrRefusal Portal::about_team(const Call& call) {
   const Visitor& visitor = call.visitor;
   const std::lock_guard lock(state_.mutex);
   Json json{{"team", visitor.sees_all() ? Json() : Json(visitor.team)},
@@ -459,10 +431,8 @@ web::Reply Portal::about_team(const Call& call) {
             {"max_bytes", system::size_limit::entry},
             {"why_not", Json()}};
   if (visitor.sees_all()) return json_reply(200, json);
-  const auto refused = uploads_.refused_now(visitor.team, state_.terms_of(visitor.team));
-  if (!refused) return json_reply(200, json);
-  json["why_not"] = reason_of(*refused);
-  json["status"] = refused->status;
+  const auto allowed = uploads_.expect_allowed(visitor.team, state_.terms_of(visitor.team));
+  if (!allowed) json.update({{"why_not", allowed.error().why}, {"status", allowed.error().status}});
   return json_reply(200, json);
 }
 

@@ -31,7 +31,7 @@ class Portal {
     std::string_view path;
     Who who;
     About about;
-    web::Reply (Portal::*answer)(const Call& call);
+    ReplyOrRefusal (Portal::*answer)(const Call& call);
   };
   static std::span<const Route> routes();
 
@@ -71,36 +71,36 @@ class Portal {
   Result<void> refresh();
   Result<void> note_answer(const std::string& team, int entry);
 
-  std::variant<Visitor, web::Reply> visitor(const web::Request& request, Purpose purpose);
+  web::Reply reply_of(const Route& route, const Call& call);
   std::optional<web::Reply> admit(Call& call, bool is_page);
   std::optional<web::Reply> name_team(Call& call, About about);
-  std::variant<Json, web::Reply> entry_of(const Call& call);
+  tl::expected<Json, web::Reply> entry_of(const Call& call);
   Json released_mark(const std::string& team) const;
-  web::Reply team_page(const std::string& team, int before);
+  ReplyOrRefusal team_page(const std::string& team, int before);
   Json progress(const std::string& team, const Json& friendlies) const;
 
   // The handlers of routes().
-  web::Reply about_team(const Call& call);
-  web::Reply list_entries(const Call& call);
-  web::Reply take(const Call& call);
-  web::Reply show_entry(const Call& call);
-  web::Reply tell_entry(const Call& call);
-  web::Reply pin(const Call& call);
-  web::Reply list_legs(const Call& call);
-  web::Reply show_log(const Call& call);
-  web::Reply list_friendlies(const Call& call);
-  web::Reply ask_friendly(const Call& call);
-  web::Reply show_friendly(const Call& call);
-  web::Reply lead_to_desk(const Call& call);
-  web::Reply desk(const Call& call);
-  web::Reply entry_page_of(const Call& call);
-  web::Reply entry_replay(const Call& call);
-  web::Reply own_replay(const Call& call);
-  web::Reply mark_replay(const Call& call);
-  web::Reply log_in(const Call& call);
-  web::Reply log_out(const Call& call);
-  web::Reply act(const Call& call);
-  web::Reply grades(const Call& call);
+  ReplyOrRefusal about_team(const Call& call);
+  ReplyOrRefusal list_entries(const Call& call);
+  ReplyOrRefusal take(const Call& call);
+  ReplyOrRefusal show_entry(const Call& call);
+  ReplyOrRefusal tell_entry(const Call& call);
+  ReplyOrRefusal pin(const Call& call);
+  ReplyOrRefusal list_legs(const Call& call);
+  ReplyOrRefusal show_log(const Call& call);
+  ReplyOrRefusal list_friendlies(const Call& call);
+  ReplyOrRefusal ask_friendly(const Call& call);
+  ReplyOrRefusal show_friendly(const Call& call);
+  ReplyOrRefusal lead_to_desk(const Call& call);
+  ReplyOrRefusal desk(const Call& call);
+  ReplyOrRefusal entry_page_of(const Call& call);
+  ReplyOrRefusal entry_replay(const Call& call);
+  ReplyOrRefusal own_replay(const Call& call);
+  ReplyOrRefusal mark_replay(const Call& call);
+  ReplyOrRefusal log_in(const Call& call);
+  ReplyOrRefusal log_out(const Call& call);
+  ReplyOrRefusal act(const Call& call);
+  ReplyOrRefusal grades(const Call& call);
 
   system::FileLock lock_;  // of the one server that takes hand-ins
   DeskState state_;

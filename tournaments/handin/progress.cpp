@@ -171,8 +171,8 @@ std::string drills_in_words(const Json& now, const Json& before) {
   }
   const auto count = static_cast<double>(all.size());
   std::string text = ", drills " + after("%.1f", sums[0] / count, sums[1] / count);
-  const auto [worst, best] = std::minmax_element(
-      all.begin(), all.end(), [](const Marks& a, const Marks& b) { return a.gain() < b.gain(); });
+  const auto [worst, best] = std::ranges::minmax_element(
+      all, [](const Marks& a, const Marks& b) { return a.gain() < b.gain(); });
   std::string most = best->gain() > 0.0 ? "better: " + best->text() : "";
   if (worst->gain() < 0.0) most += (most.empty() ? "worse: " : "; worse: ") + worst->text();
   return most.empty() ? text : text + " (" + most + ")";
@@ -191,7 +191,7 @@ Json progress_of(const Json& friendlies, const std::function<Json(int)>& drills_
     rows.back()["drills"] = drills_of(number);
     rows.back()["former"] = against_former(friendlies, number);
   }
-  std::reverse(rows.begin(), rows.end());
+  std::ranges::reverse(rows);
   return Json(rows);
 }
 

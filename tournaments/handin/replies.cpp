@@ -17,6 +17,13 @@ web::Reply problem_reply(int status, const std::string& why) {
   return json_reply(status, {{"error", why}});
 }
 
+web::Reply reply_to(const Refusal& refusal) {
+  web::Reply reply = problem_reply(refusal.status, refusal.why);
+  if (refusal.status == 401) reply.headers.emplace_back("WWW-Authenticate", "Bearer");
+  if (refusal.wait > 0) reply.headers.emplace_back("Retry-After", std::to_string(refusal.wait));
+  return reply;
+}
+
 web::Reply desk_reply(int status, std::string html) {
   constexpr const char* policy =
       "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'; "
@@ -38,8 +45,22 @@ web::Reply replay_reply(std::optional<std::string> page) {
   return {.status = 200, .type = "text/html; charset=utf-8", .bytes = std::move(*page)};
 }
 
-web::Reply host_failed(const Error&) {
-  return problem_reply(503, "this server cannot do that now; try again later");
+Refusal refusal_of_host(const Error&) {
+  return {503, "this server cannot do that now; try again later"};
+}
+
+web::Reply host_failed(const Error& error) {
+  return reply_to(refusal_of_host(error));
+}
+
+web::Reply host_failed_for_staff(const Error& error) {
+  return {.status = 503, .bytes = error.what + "\n"};
+}
+
+web::Reply moved_to(const std::string& address, const std::string& cookie) {
+  web::Reply reply{.status = 303, .headers = {{"Location", address}}};
+  if (!cookie.empty()) reply.headers.emplace_back("Set-Cookie", cookie);
+  return reply;
 }
 
 std::optional<int> number_of(std::string_view text) {

@@ -14,6 +14,17 @@
 
 namespace mirocup::league {
 
+// The reply to a request; as an error, one that refuses it.
+using ReplyOrRefusal = tl::expected<web::Reply, web::Reply>;
+
+// Why a request is refused.
+struct Refusal {
+  int status = 401;
+  std::string why;        // a sentence
+  std::int64_t wait = 0;  // s until the sender may try again; 0: no wait
+};
+web::Reply reply_to(const Refusal& refusal);
+
 web::Reply json_reply(int status, const nlohmann::ordered_json& json);
 web::Reply problem_reply(int status, const std::string& why);
 
@@ -26,8 +37,15 @@ web::Reply log_reply(system::Files& files, const std::string& path);
 // Shows the page of a replay, or says that it could not be made.
 web::Reply replay_reply(std::optional<std::string> page);
 
-// Returns a 503 without the reason, which a stranger may not learn.
+// Return a 503 without the reason, which a stranger may not learn.
+Refusal refusal_of_host(const Error&);
 web::Reply host_failed(const Error&);
+
+// The same for the staff, which is told the reason, as the host is.
+web::Reply host_failed_for_staff(const Error& error);
+
+// Leads a browser that has sent a form to another page.
+web::Reply moved_to(const std::string& address, const std::string& cookie = "");
 
 // Returns the number in a text of digits alone, at least 1; nothing for any other text.
 std::optional<int> number_of(std::string_view text);

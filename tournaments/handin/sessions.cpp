@@ -28,9 +28,8 @@ std::string Sessions::begin(const std::string& token_sha256, std::int64_t now) {
   const auto is_of_token = [&](const Session& session) {
     return session.token_sha256 == token_sha256;
   };
-  if (std::count_if(sessions_.begin(), sessions_.end(), is_of_token) >=
-      static_cast<std::ptrdiff_t>(max_of_token)) {
-    sessions_.erase(std::find_if(sessions_.begin(), sessions_.end(), is_of_token));
+  if (std::ranges::count_if(sessions_, is_of_token) >= static_cast<std::ptrdiff_t>(max_of_token)) {
+    sessions_.erase(std::ranges::find_if(sessions_, is_of_token));
   }
   std::string cookie = system::base32(system::random_bytes(cookie_bytes));
   sessions_.push_back({system::sha256(cookie), token_sha256, now + duration});

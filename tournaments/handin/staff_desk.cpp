@@ -181,11 +181,6 @@ Json attention_values(const std::vector<RosterRow>& rows) {
           {{"what", "The same file as another team, see the table:"}, {"teams", same}}};
 }
 
-// The host is told the reason, so the staff is, too.
-web::Reply broken(const Error& error) {
-  return {.status = 503, .bytes = error.what + "\n"};
-}
-
 Result<void> set_people(system::Files& files, const LeagueStore& store, const Form& form) {
   return change_people(files, store.folder(), store.state(), value_of(form, "team"),
                        [&form](People& one) {
@@ -204,20 +199,15 @@ Result<void> set_notice(system::Files& files, const Folder& folder, std::string 
 
 }  // namespace
 
-web::Reply StaffDesk::page(const Visitor& reader, const Shown& shown) const {
+Result<web::Reply> StaffDesk::page(const Visitor& reader, const Shown& shown) const {
   const bool has_forms = decides(reader.role);
-  const auto store = LeagueStore::open(files_, folder_);
-  if (!store) return broken(store.error());
-  const auto book = Book::open(files_, folder_);
-  if (!book) return broken(book.error());
-  const auto rows = roster(files_, *store, book->hand_ins());
-  if (!rows) return broken(rows.error());
-  const auto sheets = read_sheet_deadlines(files_, folder_, store->state().file);
-  if (!sheets) return broken(sheets.error());
-  const auto health = league::health(files_, *store, book->hand_ins(), now_());
-  if (!health) return broken(health.error());
-  const LeagueState& state = store->state();
-  const std::string last = last_leg_at(store->journal());
+  MIROCUP_TRY(const auto store, LeagueStore::open(files_, folder_));
+  MIROCUP_TRY(const auto book, Book::open(files_, folder_));
+  MIROCUP_TRY(const auto rows, roster(files_, store, book.hand_ins()));
+  const LeagueState& state = store.state();
+  MIROCUP_TRY(const auto sheets, read_sheet_deadlines(files_, folder_, state.file));
+  MIROCUP_TRY(const auto health, league::health(files_, store, book.hand_ins(), now_()));
+  const std::string last = last_leg_at(store.journal());
   Json decisions = decisions_values(state);
   for (Json& one : decisions) one["is_new"] = one["number"] == shown.done;
   const Json forms = forms_values(state, shown, reader.person);
@@ -230,12 +220,12 @@ web::Reply StaffDesk::page(const Visitor& reader, const Shown& shown) const {
               {"played", state.played()},
               {"legs", state.legs()},
               {"last_leg", last.empty() ? "" : shown_time(state.file, last)},
-              {"problems", health->problems},
-              {"attention", attention_values(*rows)},
+              {"problems", health.problems},
+              {"attention", attention_values(rows)},
               {"forms", has_forms ? filled_page("staff_forms.html", forms) : ""},
-              {"teams", teams_values(state, *rows)},
+              {"teams", teams_values(state, rows)},
               {"decisions", decisions}};
-  add_schedule(values, state, *sheets);
+  add_schedule(values, state, sheets);
   return desk_reply(shown.status,
                     desk_page("Staff", filled_page("staff.html", values), shown.root));
 }
@@ -244,11 +234,10 @@ std::string StaffDesk::decision_path(const OwnLeg& leg) {
   return "hand-in?fixture=" + leg.fixture + "&leg=" + std::to_string(leg.leg) + "#decide";
 }
 
-web::Reply StaffDesk::legs_of(const Visitor& reader, const std::string& team,
-                              const std::vector<OwnLeg>& legs) const {
-  const auto store = LeagueStore::open(files_, folder_);
-  if (!store) return broken(store.error());
-  const LeagueState& state = store->state();
+Result<web::Reply> StaffDesk::legs_of(const Visitor& reader, const std::string& team,
+                                      const std::vector<OwnLeg>& legs) const {
+  MIROCUP_TRY(const auto store, LeagueStore::open(files_, folder_));
+  const LeagueState& state = store.state();
   Json rows = Json::array();
   for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
     Json row{{"fixture", leg->fixture},
@@ -267,10 +256,9 @@ web::Reply StaffDesk::legs_of(const Visitor& reader, const std::string& team,
     }
     rows.push_back(row);
   }
-  const auto book = Book::open(files_, folder_);
-  if (!book) return broken(book.error());
+  MIROCUP_TRY(const auto book, Book::open(files_, folder_));
   Json entries = Json::array();
-  for (const auto& [number, handed] : book->hand_ins().of_team(team))
+  for (const auto& [number, handed] : book.hand_ins().of_team(team))
     entries.push_back(
         {{"number", number},
          {"team", team},
@@ -280,47 +268,40 @@ web::Reply StaffDesk::legs_of(const Visitor& reader, const std::string& team,
                      filled_page("staff_legs.html", {{"entries", entries}, {"legs", rows}})));
 }
 
-web::Reply StaffDesk::act(const Visitor& visitor, const Form& values,
-                          const std::string& root) const {
-  auto store = LeagueStore::open(files_, folder_);
-  if (!store) return broken(store.error());
+Result<web::Reply> StaffDesk::act(const Visitor& visitor, const Form& values,
+                                  const std::string& root) const {
+  MIROCUP_TRY(auto store, LeagueStore::open(files_, folder_));
   const std::string act = value_of(values, "act");
   const auto refused = [&](const std::string& why) {
     return page(visitor, {.said = why, .status = 400, .given = values, .root = root});
   };
   if (act == "people" || act == "notice") {
     if (const auto set = act == "notice" ? set_notice(files_, folder_, value_of(values, "text"))
-                                         : set_people(files_, *store, values);
+                                         : set_people(files_, store, values);
         !set)
       return refused(set.error().what);
-    return {.status = 303, .bytes = "", .headers = {{"Location", root + "hand-in"}}};
+    return moved_to(root + "hand-in");
   }
   auto wanted = act_of(values);
   if (wanted && !visitor.person.empty()) wanted->by = visitor.person;
   if (!wanted) return refused("The form does not say what to decide.");
-  const auto lines = perform(files_, *store, *wanted, now_());
+  const auto lines = perform(files_, store, *wanted, now_());
   if (!lines) return refused(lines.error().what);
   // Before the start a decision changes league.json, and has no number.
-  if (wanted->is_dry_run || !store->state().is_started)
+  if (wanted->is_dry_run || !store.state().is_started)
     return page(visitor, {.said = system::joined(*lines, "; "), .given = values, .root = root});
-  return {.status = 303,
-          .bytes = "",
-          .headers = {{"Location",
-                       root + "hand-in?done=" + std::to_string(store->state().decisions.size()) +
-                           "#decisions"}}};
+  return moved_to(root + "hand-in?done=" + std::to_string(store.state().decisions.size()) +
+                  "#decisions");
 }
 
-web::Reply StaffDesk::grades() const {
-  const auto store = LeagueStore::open(files_, folder_);
-  if (!store) return broken(store.error());
-  const auto people = everybody(files_, *store);
-  if (!people) return broken(people.error());
-  auto file = league::grades(overview(store->state()), *people, "", "");
-  if (!file) return broken(file.error());
-  return {.status = 200,
-          .type = "text/csv; charset=utf-8",
-          .bytes = std::move(file->bytes),
-          .headers = {{"Content-Disposition", "attachment; filename=\"grades.csv\""}}};
+Result<web::Reply> StaffDesk::grades() const {
+  MIROCUP_TRY(const auto store, LeagueStore::open(files_, folder_));
+  MIROCUP_TRY(const auto people, everybody(files_, store));
+  MIROCUP_TRY(auto file, league::grades(overview(store.state()), people, "", ""));
+  return web::Reply{.status = 200,
+                    .type = "text/csv; charset=utf-8",
+                    .bytes = std::move(file.bytes),
+                    .headers = {{"Content-Disposition", "attachment; filename=\"grades.csv\""}}};
 }
 
 }  // namespace mirocup::league

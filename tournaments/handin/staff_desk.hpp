@@ -4,7 +4,7 @@
 // list of decisions, the grades. Each act has the effect of the `league` command with the same name
 // (league/acts.hpp).
 //
-// Threads: any. The league is opened for each request.
+// Threads: any. The league is opened for each request. Errors are failures of the host.
 #pragma once
 
 #include "tournaments/handin/doorkeeper.hpp"
@@ -37,22 +37,22 @@ class StaffDesk {
   };
 
   // Returns the page for the staff; a tutor gets the page without forms.
-  web::Reply page(const Visitor& reader, const Shown& shown) const;
+  Result<web::Reply> page(const Visitor& reader, const Shown& shown) const;
 
   // Returns the link, from the top of the site, to the page whose forms name the given leg.
   static std::string decision_path(const OwnLeg& leg);
 
   // Returns the page of a team's legs, which links to their replays with the thoughts of both
   // teams, and to the logs of the team. `legs` are the legs of the team.
-  web::Reply legs_of(const Visitor& reader, const std::string& team,
-                     const std::vector<OwnLeg>& legs) const;
+  Result<web::Reply> legs_of(const Visitor& reader, const std::string& team,
+                             const std::vector<OwnLeg>& legs) const;
 
   // Performs the act of a form of the page, signed by the visitor if the visitor has a name. `root`
   // is web::root_of() the address of the form.
-  web::Reply act(const Visitor& visitor, const Form& form, const std::string& root) const;
+  Result<web::Reply> act(const Visitor& visitor, const Form& form, const std::string& root) const;
 
   // Returns grades.csv.
-  web::Reply grades() const;
+  Result<web::Reply> grades() const;
 
  private:
   system::Files& files_;

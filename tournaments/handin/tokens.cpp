@@ -47,7 +47,7 @@ Role role_of(const JsonReader& token) {
 
 const Token* find_in(const std::vector<Token>& tokens, const std::string& sha256,
                      const std::string& now, bool is_valid) {
-  const auto found = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
+  const auto found = std::ranges::find_if(tokens, [&](const Token& token) {
     return system::is_same_secret(token.sha256, sha256) && token.is_valid(now) == is_valid;
   });
   return found == tokens.end() ? nullptr : &*found;
@@ -88,8 +88,8 @@ int TokenList::revoke(Role role, const std::string& team, const std::string& per
 }
 
 bool TokenList::has_valid(const std::string& team, const std::string& now) const {
-  return std::any_of(tokens.begin(), tokens.end(),
-                     [&](const Token& token) { return token.team == team && token.is_valid(now); });
+  return std::ranges::any_of(
+      tokens, [&](const Token& token) { return token.team == team && token.is_valid(now); });
 }
 
 const Token* TokenList::find(std::string_view text, const std::string& now) const {

@@ -2,7 +2,6 @@
 #include "tournaments/handin/uploads.hpp"
 
 #include "system/printable.hpp"
-#include "tournaments/handin/replies.hpp"
 
 #include <charconv>
 
@@ -31,20 +30,21 @@ std::string too_large() {
 
 }  // namespace
 
-// Requires state_.mutex. Returns the reply to a team that hands in more than it may, or too late.
-std::optional<web::Reply> Uploads::refused_now(const std::string& team, const HandInTerms& terms) {
-  if (!terms.why_not.empty()) return problem_reply(403, terms.why_not);
+tl::expected<void, Refusal> Uploads::expect_allowed(const std::string& team,
+                                                    const HandInTerms& terms) {
+  const auto refused = [](int status, const std::string& why) {
+    return tl::unexpected(Refusal{status, why});
+  };
+  if (!terms.why_not.empty()) return refused(403, terms.why_not);
   const HandIns& hand_ins = state_.book.hand_ins();
-  if (const int waiting = hand_ins.waiting(team); waiting >= state_.options.max_waiting) {
-    return problem_reply(
-        429, std::to_string(waiting) + " files of " + team +
-                 " wait for their checks; hand in again when one of these has its answer");
-  }
-  if (hand_ins.tries_in_last_hour(team, state_.options.now()) < state_.options.quota.tries_per_hour)
-    return std::nullopt;
-  return problem_reply(429, team + " has had " +
-                                std::to_string(state_.options.quota.tries_per_hour) +
-                                " tries in the last hour; hand it in later");
+  if (const int waiting = hand_ins.waiting(team); waiting >= state_.options.max_waiting)
+    return refused(429,
+                   std::to_string(waiting) + " files of " + team +
+                       " wait for their checks; hand in again when one of these has its answer");
+  const int most = state_.options.quota.tries_per_hour;
+  if (hand_ins.tries_in_last_hour(team, state_.options.now()) < most) return {};
+  return refused(
+      429, team + " has had " + std::to_string(most) + " tries in the last hour; hand it in later");
 }
 
 // Counts an upload of a team while it lasts.
@@ -67,8 +67,8 @@ struct Uploads::Running {
   }
 };
 
-web::Reply Uploads::take(const web::Request& request, const web::Body& body,
-                         const std::string& team) {
+ReplyOrRefusal Uploads::take(const web::Request& request, const web::Body& body,
+                             const std::string& team) {
   if (request.header("content-type").starts_with("multipart/"))
     return problem_reply(400, "this is a form (curl -F): send the file itself (curl -T FILE)");
   const std::string length = request.header("content-length");
@@ -80,34 +80,31 @@ web::Reply Uploads::take(const web::Request& request, const web::Body& body,
   Running upload{*this, team};
   {
     const std::lock_guard lock(state_.mutex);
-    if (auto refused = refused_now(team, state_.terms_of(team))) return std::move(*refused);
+    MIROCUP_TRY_VOID(expect_allowed(team, state_.terms_of(team)).map_error(reply_to));
     if (!upload.begin())
       return problem_reply(429,
                            team + " is sending other files already; wait until they have arrived");
   }
-  auto file = system::IncomingFile::begin(state_.folder.uploads() + "/upload");
-  if (!file) return host_failed(file.error());
+  MIROCUP_TRY(
+      auto file,
+      system::IncomingFile::begin(state_.folder.uploads() + "/upload").map_error(host_failed));
   Result<void> added;
   const bool is_whole = body([&](std::string_view part) {
-    if (file->size() + part.size() > system::size_limit::entry) {
-      added = fail(Errc::input, too_large());
-    } else {
-      added = file->add(part);
-    }
+    const bool fits = file.size() + part.size() <= system::size_limit::entry;
+    added = fits ? file.add(part) : fail(Errc::input, too_large());
     return added.has_value();
   });
   if (!added && added.error().code == Errc::input) return problem_reply(413, added.error().what);
   if (!added) return host_failed(added.error());
-  if (!is_whole || (!length.empty() && file->size() != announced))
+  if (!is_whole || (!length.empty() && file.size() != announced))
     return problem_reply(400, "the file did not arrive completely; send it again");
-  if (file->size() == 0) return problem_reply(400, "the file is empty");
-  const auto sha256 = file->finish();
-  if (!sha256) return host_failed(sha256.error());
-  return keep(team, file_name_of(request.asked("name")), *file, *sha256);
+  if (file.size() == 0) return problem_reply(400, "the file is empty");
+  MIROCUP_TRY(const auto sha256, file.finish().map_error(host_failed));
+  return keep(team, file_name_of(request.asked("name")), file, sha256);
 }
 
-web::Reply Uploads::keep(const std::string& team, const std::string& name,
-                         system::IncomingFile& file, const std::string& sha256) {
+ReplyOrRefusal Uploads::keep(const std::string& team, const std::string& name,
+                             system::IncomingFile& file, const std::string& sha256) {
   const auto taken = [](int entry) {
     const std::string url = std::string(entries_path) + "/" + std::to_string(entry);
     return json_reply(202, {{"entry", entry}, {"events", url + "/events"}, {"url", url}});
@@ -121,7 +118,7 @@ web::Reply Uploads::keep(const std::string& team, const std::string& name,
   if (last != nullptr && last->is_network && last->sha256 == sha256 &&
       last->state != HandInState::void_ && (!last->is_late || terms.is_late))
     return taken(last->entry);
-  if (auto refused = refused_now(team, terms)) return std::move(*refused);
+  MIROCUP_TRY_VOID(expect_allowed(team, terms).map_error(reply_to));
   HandedIn handed{.team = team,
                   .file = name,
                   .sha256 = sha256,
@@ -129,11 +126,10 @@ web::Reply Uploads::keep(const std::string& team, const std::string& name,
                   .at = state_.options.now(),
                   .is_network = true,
                   .is_late = terms.is_late};
-  const auto entry = state_.book.take(std::move(handed),
-                                      [&file](const std::string& path) { return file.keep(path); });
-  if (!entry) return host_failed(entry.error());
+  const auto store = [&file](const std::string& path) { return file.keep(path); };
+  MIROCUP_TRY(const int entry, state_.book.take(std::move(handed), store).map_error(host_failed));
   ++state_.version;
-  return taken(*entry);
+  return taken(entry);
 }
 
 }  // namespace mirocup::league

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "tournaments/handin/desk_state.hpp"
-#include "web/http/request.hpp"
+#include "tournaments/handin/replies.hpp"
 
 namespace mirocup::league {
 
@@ -15,17 +15,17 @@ class Uploads {
   explicit Uploads(DeskState& state) : state_(state) {}
 
   // Receives a file from a team and books it as a hand-in.
-  web::Reply take(const web::Request& request, const web::Body& body, const std::string& team);
+  ReplyOrRefusal take(const web::Request& request, const web::Body& body, const std::string& team);
 
-  // Returns the reply to a team that hands in too often or too late; nothing if the team may hand
-  // in by `terms`. Requires the mutex of the state.
-  std::optional<web::Reply> refused_now(const std::string& team, const HandInTerms& terms);
+  // Refuses a team that hands in too often, or too late by `terms`. Requires the mutex of the
+  // state.
+  tl::expected<void, Refusal> expect_allowed(const std::string& team, const HandInTerms& terms);
 
  private:
   struct Running;
 
-  web::Reply keep(const std::string& team, const std::string& name, system::IncomingFile& file,
-                  const std::string& sha256);
+  ReplyOrRefusal keep(const std::string& team, const std::string& name, system::IncomingFile& file,
+                      const std::string& sha256);
 
   DeskState& state_;
   std::map<std::string, int> running_;  // uploads of each team; guarded by the mutex of the state
