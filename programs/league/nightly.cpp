@@ -7,7 +7,6 @@
 #include "system/child_process.hpp"
 #include "tournaments/league/book.hpp"
 #include "tournaments/league/roster.hpp"
-#include "tournaments/league/start.hpp"
 #include "tournaments/play/leg_command.hpp"
 #include "tournaments/play/program.hpp"
 #include "tournaments/publish/night_pages.hpp"
@@ -55,7 +54,7 @@ constexpr std::int64_t longest_night_s = 12 * 3600;
 // True if the last night has legs to play: those of paused teams stay open for longer.
 bool has_legs_to_play(const LeagueState& state) {
   if (state.played() == state.legs() || state.file.format.kind != FormatKind::nightly) return false;
-  return std::any_of(state.fixtures.begin(), state.fixtures.end(), [&state](const FixtureState& f) {
+  return std::ranges::any_of(state.fixtures, [&state](const FixtureState& f) {
     return f.fixture.round == static_cast<int>(state.nights.size()) && !open_legs(state, f).empty();
   });
 }
@@ -149,7 +148,7 @@ std::string report(const LeagueState& state, const std::vector<RosterRow>& rows,
       text << row.team << ": " << system::printable(told) << '\n';
     // The first of the teams names the others.
     const auto& same = row.same_as;
-    if (same.empty() || *std::min_element(same.begin(), same.end()) < row.team) continue;
+    if (same.empty() || *std::ranges::min_element(same) < row.team) continue;
     text << row.team << " and ";
     for (const std::string& other : same) text << (other == same.front() ? "" : ", ") << other;
     text << " handed in the same file\n";

@@ -4,10 +4,8 @@
 #include "programs/league/commands.hpp"
 #include "record/match_record.hpp"
 #include "system/digest.hpp"
-#include "system/number_of.hpp"
 #include "system/process_set.hpp"
 #include "system/secret.hpp"
-#include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/front_page.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/rounds.hpp"
@@ -21,6 +19,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <set>
 
@@ -32,16 +33,6 @@ constexpr const char* show_policy =
     "default-src 'none'; style-src 'self' 'unsafe-inline'; script-src 'self'; connect-src 'self'";
 constexpr std::array<std::string_view, 7> known_commands{"toggle", "skip", "slower", "faster",
                                                          "one",    "two",  "four"};
-constexpr std::array<std::string_view, 3> modules{"field.js", "text.js", "track.js"};
-
-// Returns the number in a path like "/legs/12.json"; nothing if it is another path.
-std::optional<std::size_t> number_in(const std::string& path, std::string_view before,
-                                     std::string_view after) {
-  if (!path.starts_with(before) || !path.ends_with(after)) return std::nullopt;
-  if (path.size() < before.size() + after.size()) return std::nullopt;
-  return system::number_of<std::size_t>(
-      path.substr(before.size(), path.size() - before.size() - after.size()));
-}
 
 // A round of a knockout changes the bracket, every other one the table.
 std::string standing_html(const Overview& o, const std::string& heading, bool is_of_knockout) {
@@ -49,7 +40,6 @@ std::string standing_html(const Overview& o, const std::string& heading, bool is
   Json rows = Json::array();
   for (const TableRow& row : o.table) {
     if (is_of_knockout) break;
-    const std::int64_t difference = row.difference();
     rows.push_back(
         {{"rank", rank_in_words(row)},
          {"name", o.state.shown_name(row.team)},
@@ -59,7 +49,7 @@ std::string standing_html(const Overview& o, const std::string& heading, bool is
                         : "–"},
          {"played", row.played},
          {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
-         {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)}});
+         {"difference", with_sign(row.difference())}});
   }
   return web::filled(show_file, "standing.html",
                      {{"heading", heading},
@@ -97,59 +87,29 @@ class ShownRound {
   // `round` is the key of a round ("r3", "k1"); "": the last round with a played leg. `key` is the
   // secret of the remote. `at_once`: number of legs side by side, until the remote changes the
   // number. Errors: Errc::input if the league lacks the round, or no leg of the round has a record.
-  static Result<ShownRound> of(system::Files& files, const LeagueStore& store,
-                               const std::string& round, std::string key, int at_once) {
-    ShownRound shown(files, std::move(key), at_once);
-    MIROCUP_TRY_VOID(shown.read(store, round));
+  static Result<std::unique_ptr<ShownRound>> of(system::Files& files, const LeagueStore& store,
+                                                const std::string& round, std::string key,
+                                                int at_once) {
+    std::unique_ptr<ShownRound> shown(new ShownRound(files, std::move(key)));
+    MIROCUP_TRY_VOID(shown->read(store, round, at_once));
     return shown;
   }
 
   // The functions of web::Site.
-  std::optional<web::Page> page(const std::string& path) {
-    const Json values{
-        {"league", league_}, {"round", title_}, {"about", std::to_string(legs_.size()) + " legs"}};
-    if (path == "/")
-      return text_page("text/html; charset=utf-8", web::filled(show_file, "show.html", values));
-    if (path == "/remote")
-      return text_page("text/html; charset=utf-8", web::filled(show_file, "remote.html", values));
-    if (path == "/show.css")
-      return text_page("text/css; charset=utf-8", std::string(web::design_file("design.css")) +
-                                                      std::string(page_file("site.css")) +
-                                                      std::string(show_file("show.css")));
-    for (const std::string_view script : {"show.js", "remote.js"}) {
-      if (path == "/" + std::string(script))
-        return text_page("text/javascript; charset=utf-8", std::string(show_file(script)));
-    }
-    for (const std::string_view module : modules) {
-      if (path == "/page/" + std::string(module))
-        return text_page("text/javascript; charset=utf-8", std::string(web::asset(module)));
-    }
-    if (path == "/programme.json") {
-      Json legs = Json::array();
-      for (const Leg& leg : legs_) legs.push_back(leg.about);
-      return text_page(
-          "application/json",
-          record::json_text({{"round", title_}, {"at_once", at_once_}, {"legs", legs}}));
-    }
-    // Asked for at the end only: the pairs of a knockout tell who has won.
-    if (path == "/next.json") return text_page("application/json", record::json_text(Json(next_)));
-    if (path == "/champion.html") return text_page("text/html; charset=utf-8", champion_);
-    if (const auto count = number_in(path, "/after/", ".html"); count && *count < standings_.size())
-      return text_page("text/html; charset=utf-8", standings_[*count]);
-    if (const auto index = number_in(path, "/legs/", ".json"); index && *index < legs_.size())
-      return leg(legs_[*index]);
-    return std::nullopt;
+  std::optional<web::Page> page(const std::string& path) const {
+    if (const auto page = pages_.find(path); page != pages_.end()) return page->second;
+    const auto leg = legs_.find(path);
+    return leg != legs_.end() ? data_page(leg->second) : std::nullopt;
   }
 
   // A viewer that has just come gets no commands of before.
   std::string news(std::uint64_t& seen) {
-    const std::lock_guard lock(commands_->mutex);
-    const std::vector<std::string>& given = commands_->given;
-    const std::uint64_t now = given.size() + 1;
+    const std::lock_guard lock(mutex_);
+    const std::uint64_t now = given_.size() + 1;
     if (seen == now) return "";
     Json fresh = Json::array();
     if (seen > 0) {
-      for (std::size_t i = seen - 1; i < given.size(); ++i) fresh.push_back(given[i]);
+      for (std::size_t i = seen - 1; i < given_.size(); ++i) fresh.push_back(given_[i]);
     }
     seen = now;
     return "event: command\ndata: " + record::json_text(fresh) + "\n\n";
@@ -160,27 +120,22 @@ class ShownRound {
     if (space == std::string::npos || !system::is_same_secret(key_, body.substr(0, space)))
       return false;
     const std::string command = body.substr(space + 1);
-    if (std::find(known_commands.begin(), known_commands.end(), command) == known_commands.end())
-      return false;
-    const std::lock_guard lock(commands_->mutex);
-    commands_->given.push_back(command);
+    if (std::ranges::find(known_commands, command) == known_commands.end()) return false;
+    const std::lock_guard lock(mutex_);
+    given_.push_back(command);
     return true;
   }
 
-  const std::string& title() const { return title_; }
-  std::size_t legs() const { return legs_.size(); }
-
  private:
   struct Leg {
-    Json about;          // about the leg, for the programme
+    std::string blue, yellow;
     std::string record;  // path of the record
     std::string page;    // path of the leg's replay page, if the league was published
   };
 
-  ShownRound(system::Files& files, std::string key, int at_once)
-      : files_(&files), key_(std::move(key)), at_once_(at_once) {}
+  ShownRound(system::Files& files, std::string key) : files_(&files), key_(std::move(key)) {}
 
-  Result<void> read(const LeagueStore& store, const std::string& key) {
+  Result<void> read(const LeagueStore& store, const std::string& key, int at_once) {
     const LeagueState& state = store.state();
     KnownLegs known;
     read_legs(*files_, store.folder(), state, known);
@@ -190,52 +145,85 @@ class ShownRound {
     if (round == nullptr)
       return fail(Errc::input, key.empty() ? store.folder().path + ": no leg has been played yet"
                                            : "there is no round " + key);
-    league_ = state.file.title;
-    title_ = round->title;
     const bool is_of_knockout =
         !round->fixtures.empty() && round->fixtures.front().state->fixture.part == Part::knockout;
     std::set<LegName> shown;
     const auto add_standing = [&]() -> Result<void> {
       MIROCUP_TRY(const auto then, state_through(state, store.journal(), round->key, &shown));
-      const std::string heading =
-          shown.empty() ? "Before " + title_ : "After leg " + std::to_string(shown.size());
-      standings_.push_back(standing_html(overview(then, known), heading, is_of_knockout));
+      const std::string count = std::to_string(shown.size());
+      add_html("/after/" + count + ".html",
+               standing_html(overview(then, known),
+                             shown.empty() ? "Before " + round->title : "After leg " + count,
+                             is_of_knockout));
       return {};
     };
     MIROCUP_TRY_VOID(add_standing());
+    Json programme = Json::array();
     for (const FixtureView& f : in_order(round->fixtures)) {
       for (const LegView* leg : f.legs) {
         if (!leg->has_replay()) continue;
         const auto [blue, yellow] = f.state->fixture.colours(leg->leg);
-        legs_.push_back({{{"blue", state.shown_name(blue)},
-                          {"yellow", state.shown_name(yellow)},
-                          {"where", leg->round + ", leg " + std::to_string(leg->leg)},
-                          {"data", "/legs/" + std::to_string(legs_.size()) + ".json"},
-                          {"has_standing", !is_of_knockout}},
-                         store.folder().path + "/" + leg->played->record,
-                         store.folder().site() + "/" + replay_page_of(leg->played->record)});
+        const std::string path = "/legs/" + std::to_string(legs_.size()) + ".json";
+        const Leg& added =
+            legs_[path] = {state.shown_name(blue), state.shown_name(yellow),
+                           store.folder().path + "/" + leg->played->record,
+                           store.folder().site() + "/" + replay_page_of(leg->played->record)};
+        programme.push_back({{"blue", added.blue},
+                             {"yellow", added.yellow},
+                             {"where", leg->round + ", leg " + std::to_string(leg->leg)},
+                             {"data", path},
+                             {"has_standing", !is_of_knockout}});
         shown.insert({leg->fixture, leg->leg});
         MIROCUP_TRY_VOID(add_standing());
       }
-      if (!legs_.empty()) legs_.back().about["has_standing"] = true;  // its tie is over
+      if (!programme.empty()) programme.back()["has_standing"] = true;  // its tie is over
     }
     if (legs_.empty())
       return fail(Errc::input, "no leg of round " + round->key + " has a record that can be shown");
-    if (round == &rounds.back()) {
-      if (Json champion = champion_values(o); champion != false)
-        champion_ = web::filled(show_file, "champion.html", champion);
+    add_json("/programme.json",
+             {{"round", round->title}, {"at_once", at_once}, {"legs", programme}});
+    const bool is_last = round == &rounds.back();
+    Json next = Json::array();
+    if (!is_last) {
+      for (const FixtureView& f : std::next(round)->fixtures)
+        next.push_back(state.shown_name(f.state->fixture.home) + " – " +
+                       state.shown_name(f.state->fixture.away));
     }
-    for (const RoundView& after : rounds) {
-      if (&after <= round) continue;
-      for (const FixtureView& f : after.fixtures)
-        next_.push_back(state.shown_name(f.state->fixture.home) + " – " +
-                        state.shown_name(f.state->fixture.away));
-      break;
-    }
+    // Asked for at the end only: the pairs of a knockout tell who has won.
+    add_json("/next.json", next);
+    const Json champion = is_last ? champion_values(o) : Json(false);
+    add_html("/champion.html",
+             champion != false ? web::filled(show_file, "champion.html", champion) : "");
+    add_files({{"league", state.file.title},
+               {"round", round->title},
+               {"about", std::to_string(legs_.size()) + " legs"}});
     return {};
   }
 
-  std::optional<web::Page> leg(const Leg& leg) {
+  void add_files(const Json& values) {
+    add_html("/", web::filled(show_file, "show.html", values));
+    add_html("/remote", web::filled(show_file, "remote.html", values));
+    pages_["/show.css"] =
+        text_page("text/css; charset=utf-8", std::string(web::design_file("design.css")) +
+                                                 std::string(page_file("site.css")) +
+                                                 std::string(show_file("show.css")));
+    const auto add_script = [&](const std::string& path, std::string_view script) {
+      pages_[path] = text_page("text/javascript; charset=utf-8", std::string(script));
+    };
+    for (const std::string script : {"show.js", "remote.js"})
+      add_script("/" + script, show_file(script));
+    for (const std::string module : {"field.js", "text.js", "track.js"})
+      add_script("/page/" + module, web::asset(module));
+  }
+
+  void add_html(const std::string& path, std::string html) {
+    pages_[path] = text_page("text/html; charset=utf-8", std::move(html));
+  }
+
+  void add_json(const std::string& path, const Json& json) {
+    pages_[path] = text_page("application/json", record::json_text(json));
+  }
+  std::optional<web::Page> data_page(const Leg& leg) const {
     const auto loaded = record::load(*files_, leg.record);
     if (!loaded) {
       std::cerr << "mirocup: " << loaded.error().what << '\n';
@@ -244,19 +232,19 @@ class ShownRound {
     auto data = data_of(leg, *loaded);
     if (!data) {
       std::cerr << "mirocup: " << leg.record
-                << " cannot be shown: this program does not reproduce it. Call mirocup league "
-                   "publish: the program that played the leg then makes the leg's page\n";
+                << " cannot be shown: this program does not reproduce it, and the site lacks its "
+                   "page\n";
       return std::nullopt;
     }
-    for (const char* colour : {"blue", "yellow"})
-      (*data)["teams"][colour]["name"] = leg.about.at(colour);
+    (*data)["teams"]["blue"]["name"] = leg.blue;
+    (*data)["teams"]["yellow"]["name"] = leg.yellow;
     (*data)["picture"] = web::first_picture(*loaded);
     return text_page("application/json", record::json_text(*data));
   }
 
   // A leg of another version may go another way here. Then its replay page shows it, which the
   // program has made that played it.
-  std::optional<Json> data_of(const Leg& leg, const record::MatchRecord& record) {
+  std::optional<Json> data_of(const Leg& leg, const record::MatchRecord& record) const {
     if (auto data = web::replay_data(record, web::Times::left_out)) return std::move(*data);
     const auto page = files_->read(leg.page, {.max_size = system::size_limit::page});
     return page ? web::data_of_page(*page) : std::nullopt;
@@ -264,20 +252,10 @@ class ShownRound {
 
   system::Files* files_;
   std::string key_;
-  int at_once_;
-  std::string league_;
-  std::string title_;
-  std::vector<Leg> legs_;
-  std::vector<std::string> standings_;  // HTML of the table after 0, 1, … legs
-  std::vector<std::string> next_;       // fixtures of the next round, in words
-  std::string champion_;                // HTML; "": the league is not over after this round
-
-  // Members on the heap, so that the round can be moved before it is served.
-  struct Commands {
-    std::mutex mutex;  // guards `given`
-    std::vector<std::string> given;
-  };
-  std::unique_ptr<Commands> commands_ = std::make_unique<Commands>();
+  std::map<std::string, web::Page> pages_;  // by path: everything except the legs
+  std::map<std::string, Leg> legs_;         // by path of their data
+  std::mutex mutex_;                        // guards `given_`
+  std::vector<std::string> given_;          // commands of the remote
 };
 
 struct ShowOptions : LeagueOptions {
@@ -295,14 +273,14 @@ Result<int> run_show(const ShowOptions& options) {
   MIROCUP_TRY(const auto store, LeagueStore::open(disk, Folder{options.folder}));
   system::ProcessSet interrupts;  // must exist before the first thread starts
   const std::string key = system::base32(system::random_bytes(key_bytes));
-  MIROCUP_TRY(auto round, ShownRound::of(disk, store, options.round, key, options.at_once));
+  MIROCUP_TRY(const auto round, ShownRound::of(disk, store, options.round, key, options.at_once));
   MIROCUP_TRY(const auto server,
               web::SiteServer::open(
                   address, "--at",
-                  {.page = [&](const std::string& path) { return round.page(path); },
-                   .news = [&](std::uint64_t& seen) { return round.news(seen); },
+                  {.page = [&](const std::string& path) { return round->page(path); },
+                   .news = [&](std::uint64_t& seen) { return round->news(seen); },
                    .match = [](const std::string&) { return std::nullopt; },
-                   .control = [&](const std::string& body) { return round.control(body); }}));
+                   .control = [&](const std::string& body) { return round->control(body); }}));
   const std::string url = server->url();
   std::cout << url << '\n' << url << "remote#" << key << std::endl;
   while (!interrupts.is_asked_to_stop_within(poll_s)) {

@@ -54,4 +54,10 @@ class LeagueStore {
   std::size_t applied_;  // number of applied lines
 };
 
+// Starts the league if it has not started (league.json is frozen, and the entries that play are
+// booked), and checks that the libraries have the digests in the journal. Errors: Errc::input if
+// the league cannot be played; Errc::damaged if a library has changed, or if the journal has lost
+// lines.
+Result<void> start_league(system::Files& files, LeagueStore& store);
+
 }  // namespace mirocup::league

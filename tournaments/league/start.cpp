@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "tournaments/league/start.hpp"
-
 #include "record/match_record.hpp"
 #include "system/digest.hpp"
 #include "system/file_lock.hpp"
 #include "tournaments/league/gaps.hpp"
+#include "tournaments/league/league_store.hpp"
 #include "tournaments/league/submission.hpp"
 
 namespace mirocup::league {

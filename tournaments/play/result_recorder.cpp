@@ -3,7 +3,6 @@
 
 #include "core/match/controller.hpp"
 #include "system/text.hpp"
-#include "tournaments/league/start.hpp"
 #include "tournaments/play/leg_record.hpp"
 #include "tournaments/play/program.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "tournaments/publish/bests.hpp"
-
 #include "system/text.hpp"
+#include "tournaments/publish/league_statistics.hpp"
 #include "tournaments/publish/page_values.hpp"
 #include "tournaments/publish/site_file.hpp"
 
@@ -9,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -239,9 +239,8 @@ Json worth_watching(const Overview& o) {
   for (const LegView& leg : o.legs) {
     if (!leg.page().empty() && !leg.is_annulled) legs.push_back({&leg, excitement(o, leg)});
   }
-  std::stable_sort(legs.begin(), legs.end(), [](const Candidate& a, const Candidate& b) {
-    return a.excitement.points > b.excitement.points;
-  });
+  std::ranges::stable_sort(legs, std::greater(),
+                           [](const Candidate& one) { return one.excitement.points; });
   Json best = Json::array();
   std::set<std::string> fixtures;  // the legs of a fixture are often mirror images
   for (const auto& [leg, excitement] : legs) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "tournaments/publish/bracket_svg.hpp"
-
 #include "system/text.hpp"
 #include "tournaments/publish/rounds.hpp"
 

@@ -2,8 +2,6 @@
 #include "tournaments/publish/front_page.hpp"
 
 #include "tournaments/league/decisions.hpp"
-#include "tournaments/publish/bests.hpp"
-#include "tournaments/publish/bracket_svg.hpp"
 #include "tournaments/publish/page_values.hpp"
 
 #include <nlohmann/json.hpp>
@@ -34,7 +32,6 @@ std::string_view status_of(const TeamState& team) {
 }
 
 Json row_values(const Overview& o, const TableRow& row, const TableRow* next) {
-  const std::int64_t difference = row.difference();
   return {{"rank", rank_in_words(row)},
           {"team", team_values(o, row.team, "")},
           {"status", status_of(o.state.teams[row.team])},
@@ -45,7 +42,7 @@ Json row_values(const Overview& o, const TableRow& row, const TableRow* next) {
           {"drawn", row.drawn},
           {"lost", row.lost},
           {"goals", std::to_string(row.goals_for) + ":" + std::to_string(row.goals_against)},
-          {"difference", (difference > 0 ? "+" : "") + std::to_string(difference)},
+          {"difference", with_sign(row.difference())},
           {"is_open", is_decided(o.state, o.ratings, row, next) == false},
           {"reason", reason_in_words(o, row, next)},
           {"form", form_values(o, row.team, front_form_length, "")},

@@ -235,14 +235,12 @@ Result<SiteFile> grades(const Overview& o, const PeopleOfTeams& people, std::str
   std::vector<std::string> columns;
   for (const Graded& one : all) {
     for (const auto& [column, value] : one.who.more) {
-      if (std::find(columns.begin(), columns.end(), column) == columns.end())
-        columns.push_back(column);
+      if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
     }
   }
-  const bool any_is_known =
-      path.empty() || std::any_of(all.begin(), all.end(), [&](const auto& one) {
-        return marks.of_team.contains(one.name);
-      });
+  const bool any_is_known = path.empty() || std::ranges::any_of(all, [&](const auto& one) {
+                              return marks.of_team.contains(one.name);
+                            });
   if (!any_is_known) return fail(Errc::input, path + ": it has no team of this league");
   if (layout == GradesLayout::moodle || layout == GradesLayout::gradescope) {
     MIROCUP_TRY(auto text, students(o, all, columns, layout, of_scale, marks));

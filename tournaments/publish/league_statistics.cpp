@@ -204,14 +204,10 @@ Json best_goalkeeper(const Overview& o, const LegReports& reports) {
 std::string statistics_html(const Overview& o, const LegReports& reports) {
   if (reports.empty()) return "";
   const std::vector<TeamTotals> totals = statistics::totals_of(reports);
-  const auto of = [&](int team) {
-    return std::find_if(totals.begin(), totals.end(),
-                        [&](const TeamTotals& t) { return t.name == o.state.name(team); });
-  };
   Json numbers = numbers_table("Team");
   Json kinds = kinds_table("Team");
   for (const TableRow& row : o.table) {
-    const auto found = of(row.team);
+    const auto found = std::ranges::find(totals, o.state.name(row.team), &TeamTotals::name);
     if (found == totals.end()) continue;
     const std::string name = o.state.shown_name(row.team);
     numbers["rows"].push_back(numbers_row(name, *found, team_page_of(found->name)));

@@ -23,10 +23,6 @@ int last_knockout_round(const LeagueState& state) {
   return last;
 }
 
-std::string with_sign(std::int64_t number) {
-  return (number > 0 ? "+" : "") + std::to_string(number);
-}
-
 std::string to(std::int64_t a, std::int64_t b) {
   return ", " + std::to_string(a) + " to " + std::to_string(b);
 }
@@ -165,6 +161,10 @@ std::string fault_in_words(const LegFault& fault) {
   return words + ": " + fault.text;
 }
 
+std::string with_sign(std::int64_t number) {
+  return (number > 0 ? "+" : "") + std::to_string(number);
+}
+
 std::string points_per_leg(const TableRow& row) {
   return system::formatted("%.2f", double(row.points) / std::max(1, row.played));
 }
@@ -173,7 +173,7 @@ bool is_by_lot(const Overview& o, const FixtureState& tie) {
   if (tie.fixture.part != Part::knockout || !tie.fixture.has_both() || !tie.is_decided())
     return false;
   const bool is_level = tie.goals(tie.fixture.home) == tie.goals(tie.fixture.away);
-  return is_level && std::all_of(o.legs.begin(), o.legs.end(), [&tie](const LegView& leg) {
+  return is_level && std::ranges::all_of(o.legs, [&tie](const LegView& leg) {
            if (leg.fixture != tie.fixture.id() || leg.played == nullptr) return true;
            if (leg.played->end == LegEnd::withdrawn) return false;
            return leg.played->end != LegEnd::shoot_out || leg.played->winner == no_team ||
@@ -183,13 +183,12 @@ bool is_by_lot(const Overview& o, const FixtureState& tie) {
 
 std::string reason_in_words(const Overview& o, const TableRow& row, const TableRow* next) {
   const std::string words = reason_in_words(o.ratings, row, next);
-  const bool by_lot =
-      row.separated_by == "knockout" && next != nullptr &&
-      std::any_of(o.state.fixtures.begin(), o.state.fixtures.end(), [&](const FixtureState& tie) {
-        return std::minmax(tie.fixture.home, tie.fixture.away) ==
-                   std::minmax(row.team, next->team) &&
-               is_by_lot(o, tie);
-      });
+  const bool by_lot = row.separated_by == "knockout" && next != nullptr &&
+                      std::ranges::any_of(o.state.fixtures, [&](const FixtureState& tie) {
+                        return std::minmax(tie.fixture.home, tie.fixture.away) ==
+                                   std::minmax(row.team, next->team) &&
+                               is_by_lot(o, tie);
+                      });
   return by_lot ? words + ", by lot" : words;
 }
 

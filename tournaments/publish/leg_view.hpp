@@ -9,6 +9,7 @@
 #include "tournaments/table/rating.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -92,6 +93,9 @@ bool is_by_lot(const Overview& overview, const FixtureState& tie);
 
 // Returns a sentence for a fault, without its team.
 std::string fault_in_words(const LegFault& fault);
+
+// Returns "+3", "0" or "-3".
+std::string with_sign(std::int64_t number);
 
 // Returns a team's points per leg, such as "2.15"; "0.00" before the team's first leg.
 std::string points_per_leg(const TableRow& row);

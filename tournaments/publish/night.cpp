@@ -5,6 +5,7 @@
 #include "tournaments/league/apply.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace mirocup::league {
 
@@ -20,8 +21,7 @@ constexpr int decisive_weight = 2;
 constexpr int goal_weight = 1;
 
 int rank_of(const Overview& o, int team) {
-  const auto row = std::find_if(o.table.begin(), o.table.end(),
-                                [team](const TableRow& r) { return r.team == team; });
+  const auto row = std::ranges::find(o.table, team, &TableRow::team);
   return row == o.table.end() ? 0 : row->rank;
 }
 
@@ -115,9 +115,7 @@ std::vector<TeamDigest> digests(const Night& night, const Overview& now) {
       if (leg.letter(team) == 'L') digest.losses.push_back(&leg);
       add_moments(now, leg, team, digest.moments);
     }
-    std::stable_sort(
-        digest.moments.begin(), digest.moments.end(),
-        [](const WorstMoment& a, const WorstMoment& b) { return a.weight > b.weight; });
+    std::ranges::stable_sort(digest.moments, std::greater(), &WorstMoment::weight);
     if (digest.moments.size() > most_moments) digest.moments.resize(most_moments);
     all.push_back(std::move(digest));
   }

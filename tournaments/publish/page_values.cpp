@@ -171,8 +171,7 @@ Json strength_values(const Overview& o, int team) {
 
 Json filter_values(const Overview& o) {
   std::vector<int> teams = all_teams(static_cast<int>(o.state.file.teams.size()));
-  std::sort(teams.begin(), teams.end(),
-            [&o](int a, int b) { return o.state.shown_name(a) < o.state.shown_name(b); });
+  std::ranges::sort(teams, {}, [&o](int team) { return o.state.shown_name(team); });
   Json names = Json::array();
   for (const int team : teams)
     names.push_back({{"name", o.state.shown_name(team)}, {"index", team}});

@@ -78,7 +78,7 @@ std::vector<std::string> command_for(const Folder& folder, const NewPage& page,
 }
 
 bool is_ruled(const LeagueState& state, const std::string& fixture, int leg) {
-  return std::any_of(state.decisions.begin(), state.decisions.end(), [&](const Decision& d) {
+  return std::ranges::any_of(state.decisions, [&](const Decision& d) {
     const auto* ruled = std::get_if<Ruled>(&d.event);
     return ruled != nullptr && !d.undone_by && ruled->fixture == fixture && ruled->leg == leg;
   });

@@ -24,10 +24,8 @@ std::vector<RoundView> rounds_of(const Overview& o) {
   for (const LegView& leg : o.legs) legs[leg.fixture].push_back(&leg);
   std::vector<const FixtureState*> fixtures;
   for (const FixtureState& f : o.state.fixtures) fixtures.push_back(&f);
-  std::stable_sort(fixtures.begin(), fixtures.end(),
-                   [](const FixtureState* a, const FixtureState* b) {
-                     return a->fixture.round_order() < b->fixture.round_order();
-                   });
+  std::ranges::stable_sort(fixtures, {},
+                           [](const FixtureState* f) { return f->fixture.round_order(); });
   std::vector<RoundView> rounds;
   for (const FixtureState* f : fixtures) {
     const std::string key = f->fixture.round_key();

@@ -36,4 +36,9 @@ std::vector<RoundView> rounds_of(const Overview& overview);
 // "rounds/r3.html#r3-f2".
 std::string fixture_link(const Fixture& fixture);
 
+// Returns the knockout as an SVG element for the front page, in which each tie links to its place
+// on the page of its round, and each score of a leg to its replay; "" if the league has no
+// knockout. The score of a shoot-out is in brackets.
+std::string bracket_svg(const Overview& overview);
+
 }  // namespace mirocup::league

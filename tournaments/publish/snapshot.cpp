@@ -58,9 +58,8 @@ Result<LeagueState> state_up_to(const LeagueState& whole, const Journal& journal
       continue;
     }
     if (const auto* e = std::get_if<Undone>(&*event)) {
-      const bool is_known = std::any_of(state.decisions.begin(), state.decisions.end(),
-                                        [e](const Decision& d) { return d.line == e->line; });
-      if (!is_known) continue;  // a decision on a later round
+      if (std::ranges::count(state.decisions, e->line, &Decision::line) == 0)
+        continue;  // a decision on a later round
     }
     if (const auto valid = validate(state, *event); !valid) {
       return fail(Errc::input,

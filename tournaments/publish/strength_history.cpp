@@ -140,8 +140,7 @@ class Chart {
     for (std::size_t i = 0; i < std::min(named_curves, o_.table.size()); ++i) {
       if (o_.table[i].rank > 0) labels.push_back({i, y(value(last, o_.table[i].team))});
     }
-    std::stable_sort(labels.begin(), labels.end(),
-                     [](const Label& a, const Label& b) { return a.y < b.y; });
+    std::ranges::stable_sort(labels, {}, &Label::y);
     int free = top;
     for (Label& label : labels) {
       label.y = std::max(label.y, free);

@@ -67,7 +67,7 @@ Json extremes(const Overview& o, int team, PlayedLegs legs, bool best) {
   std::erase_if(legs, [&](const LegView* leg) {
     return !leg->has_replay() || leg->letter(team) == (best ? 'L' : 'W');
   });
-  std::stable_sort(legs.begin(), legs.end(), [&](const LegView* a, const LegView* b) {
+  std::ranges::stable_sort(legs, [&](const LegView* a, const LegView* b) {
     const double x = achievement(o, *a, team);
     const double y = achievement(o, *b, team);
     return best ? x > y : x < y;
@@ -124,13 +124,11 @@ void add_fixtures(Json& values, const SiteContent& c, int team) {
 
 std::string team_html(const SiteContent& c, int team) {
   const Overview& o = c.overview;
-  const auto row = std::find_if(o.table.begin(), o.table.end(),
-                                [team](const TableRow& r) { return r.team == team; });
+  const auto row = std::ranges::find(o.table, team, &TableRow::team);
   const TeamState& now = o.state.teams[team];
   Json values = page_values(o, "../", o.state.shown_name(team));
   values["rank"] = row->rank > 0 ? Json(row->rank) : Json(false);
-  values["teams"] =
-      std::count_if(o.table.begin(), o.table.end(), [](const TableRow& r) { return r.rank > 0; });
+  values["teams"] = std::ranges::count_if(o.table, [](const TableRow& r) { return r.rank > 0; });
   values["points"] = row->points;
   values["reason"] = reason_in_words(o, *row, row + 1 == o.table.end() ? nullptr : &*(row + 1));
   values["strength"] = strength_values(o, team);

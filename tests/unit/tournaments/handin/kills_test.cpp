@@ -8,7 +8,7 @@
 #include "tests/unit/tournaments/kept_entry.hpp"
 #include "tests/unit/tournaments/small_league.hpp"
 #include "tournaments/handin/portal.hpp"
-#include "tournaments/league/start.hpp"
+#include "tournaments/league/league_store.hpp"
 
 #include <csignal>
 #include <sstream>
