@@ -87,8 +87,8 @@ Result<std::pair<std::string, std::size_t>> move_to_hashed_folder(system::Files&
                                                                   std::vector<WorkbenchFile> from,
                                                                   std::vector<WorkbenchFile>& to) {
   constexpr std::size_t digits = 16;
-  std::sort(from.begin(), from.end(),
-            [](const WorkbenchFile& a, const WorkbenchFile& b) { return a.name < b.name; });
+  std::ranges::sort(from,
+                    [](const WorkbenchFile& a, const WorkbenchFile& b) { return a.name < b.name; });
   system::Sha256 digest;
   std::size_t size = 0;
   for (const WorkbenchFile& file : from) {

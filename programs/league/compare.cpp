@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace mirocup::league {
 
@@ -189,9 +190,8 @@ std::vector<RatedTeam> rated_table(const std::vector<PairComparison>& pairs,
       row.goals_against += r.goals[1 - side];
     }
   }
-  std::stable_sort(table.begin(), table.end(), [](const RatedTeam& a, const RatedTeam& b) {
-    return a.strength.value > b.strength.value;
-  });
+  std::ranges::stable_sort(table, std::greater(),
+                           [](const RatedTeam& row) { return row.strength.value; });
   for (std::size_t i = 0; i + 1 < table.size(); ++i)
     table[i].legs_to_tell = legs_to_tell(ratings, table[i].team, table[i + 1].team);
   return table;
@@ -269,7 +269,7 @@ Result<int> run_compare(const CompareOptions& options) {
   const auto progress = make_progress_reporter();
   MIROCUP_TRY(const auto pairs, run_comparison(disk, run, *progress));
   print(pairs, run, options);
-  const bool is_answered = std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+  const bool is_answered = std::ranges::all_of(pairs, [&](const auto& pair) {
     return run.plays_all ? !pair.is_of_copies : pair.verdict != ComparisonVerdict::undecided;
   });
   return is_answered ? exit_yes : exit_no;

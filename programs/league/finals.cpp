@@ -84,9 +84,7 @@ Result<void> init_from(system::Files& files, const LeagueStore& season, const Fo
   MIROCUP_TRY_VOID(init_folder(files, folder, file));
   MIROCUP_TRY(auto people, read_people(files, season.folder()));
   std::erase_if(people, [&](const auto& one) {
-    return !knows_everybody &&
-           std::none_of(file.teams.begin(), file.teams.end(),
-                        [&](const TeamConfig& team) { return team.name == one.first; });
+    return !knows_everybody && std::ranges::count(file.teams, one.first, &TeamConfig::name) == 0;
   });
   if (people.empty()) return {};
   return write_people(files, folder, people);

@@ -94,7 +94,7 @@ struct Marking {
   Result<void> find_steps() {
     for (const NamedStep& step : scale.steps) {
       const auto& table = league.table;
-      const auto found = std::find_if(table.begin(), table.end(), [&](const TableRow& row) {
+      const auto found = std::ranges::find_if(table, [&](const TableRow& row) {
         return row.played > 0 && state.file.teams[row.team].source == "house:" + step.beats;
       });
       if (found == table.end())

@@ -270,8 +270,7 @@ std::optional<web::Proof> ServedLeague::proof(const std::string& root,
 // Returns a file beside pages as publish has written it, also that of a program of before, or this
 // one's.
 std::optional<web::Page> ServedLeague::module_page(const std::string& name) {
-  if (std::filesystem::path(name).lexically_normal() != name ||
-      std::count(name.begin(), name.end(), '/') != 1)
+  if (std::filesystem::path(name).lexically_normal() != name || std::ranges::count(name, '/') != 1)
     return std::nullopt;
   if (auto kept = file(store_.folder().site() + "/" + name)) return kept;
   for (const SiteFile& made : parts().all()) {
@@ -302,8 +301,7 @@ const std::vector<web::WorkbenchFile>& ServedLeague::workbench() {
 // compiled, and get nothing from elsewhere.
 std::optional<web::Page> ServedLeague::workbench_page(const std::string& name) {
   const auto& files = workbench();
-  const auto found = std::find_if(files.begin(), files.end(),
-                                  [&name](const auto& file) { return file.name == name; });
+  const auto found = std::ranges::find(files, name, &web::WorkbenchFile::name);
   if (found == files.end()) return std::nullopt;
   auto bytes = web::bytes_of(files_, *found);
   if (!bytes) return std::nullopt;
@@ -411,8 +409,7 @@ std::vector<std::string> ServedLeague::neighbours_of(const std::string& team) {
   const auto index = seen->find_team(team);
   if (!seen->is_started || !index) return {};
   const std::vector<TableRow> table = seen->table();
-  const auto own = std::find_if(table.begin(), table.end(),
-                                [&](const TableRow& row) { return row.team == *index; });
+  const auto own = std::ranges::find(table, *index, &TableRow::team);
   if (own == table.end()) return {};
   std::vector<std::string> names;
   for (auto row = table.begin(); row != table.end(); ++row) {

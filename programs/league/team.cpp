@@ -53,8 +53,7 @@ Result<int> take_class_list(system::Files& files, LeagueStore& store, const Team
   }
   std::vector<std::string> missing;
   for (const TeamConfig& team : store.state().file.teams) {
-    const bool is_listed = std::any_of(list.rows.begin(), list.rows.end(),
-                                       [&](const auto& row) { return row.team == team.name; });
+    const bool is_listed = std::ranges::count(list.rows, team.name, &ClassListRow::team) > 0;
     if (!is_listed && !team.is_house()) missing.push_back(team.name);
   }
   std::cout << system::printable(path) << ": " << list.size_in_words() << ", " << joining.size()

@@ -6,6 +6,7 @@
 #include "system/text.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <tuple>
 
@@ -144,8 +145,7 @@ std::vector<Advice> advice_for(const std::vector<LegReport>& legs, const TeamTot
   }
   add_play(legs, team, all);
   std::erase_if(all, [](const Advice& one) { return one.weight < 0.5; });
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Advice& a, const Advice& b) { return a.weight > b.weight; });
+  std::ranges::stable_sort(all, std::greater(), &Advice::weight);
   std::set<std::string> known;  // each drill once, for its greatest reason
   std::erase_if(all, [&known](const Advice& one) { return !known.insert(one.drill).second; });
   if (all.size() > most) all.resize(most);

@@ -64,8 +64,7 @@ std::vector<TeamTotals> totals_of(const std::vector<LegReport>& legs) {
   for (const LegReport& leg : legs) {
     for (const Team team : both_teams) {
       const std::string name = counted_name(leg, team);
-      auto found = std::find_if(totals.begin(), totals.end(),
-                                [&](const TeamTotals& t) { return t.name == name; });
+      auto found = std::ranges::find(totals, name, &TeamTotals::name);
       if (found == totals.end()) {
         totals.emplace_back().name = name;
         found = totals.end() - 1;

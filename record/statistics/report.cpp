@@ -9,6 +9,7 @@
 #include "system/text.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace mirocup::statistics {
@@ -52,7 +53,7 @@ std::string name_of(const TeamTotals& team) {
 
 // True for a team of that name, and for both of its colours in legs against itself.
 bool is_named(const TeamTotals& team, const std::string& name) {
-  return team.name == name || std::any_of(both_teams.begin(), both_teams.end(), [&](Team colour) {
+  return team.name == name || std::ranges::any_of(both_teams, [&](Team colour) {
            return team.name == name + " (" + std::string(to_string(colour)) + ")";
          });
 }
@@ -124,8 +125,8 @@ std::vector<std::pair<std::string, WayOfGoals>> ways_against(const std::vector<L
     }
   }
   std::vector<std::pair<std::string, WayOfGoals>> sorted(ways.begin(), ways.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.second.goals > b.second.goals; });
+  std::ranges::stable_sort(sorted, std::greater(),
+                           [](const auto& way) { return way.second.goals; });
   return sorted;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
-#include <tuple>
+#include <utility>
 
 namespace mirocup::league {
 
@@ -108,9 +108,8 @@ std::vector<Fixture> groups_then_knockout(int teams, const GroupsOptions& option
       fixtures.push_back(fixture);
     }
   }
-  std::stable_sort(fixtures.begin(), fixtures.end(), [](const Fixture& a, const Fixture& b) {
-    return std::tie(a.round, a.group) < std::tie(b.round, b.group);
-  });
+  std::ranges::stable_sort(fixtures, {},
+                           [](const Fixture& f) { return std::pair(f.round, f.group); });
   const auto ties = knockout(Seeding(groups, options.qualifiers).seeds(), options.knockout,
                              static_cast<int>(fixtures.size()));
   fixtures.insert(fixtures.end(), ties.begin(), ties.end());

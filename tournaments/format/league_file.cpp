@@ -267,7 +267,7 @@ std::string shown_time(const LeagueFile& file, const std::string& utc) {
 bool is_good_name(const std::string& name) {
   if (name.empty() || name.size() > max_name_length || name[0] == '.' || name[0] == '-')
     return false;
-  return std::all_of(name.begin(), name.end(), system::is_plain);
+  return std::ranges::all_of(name, system::is_plain);
 }
 
 Result<LeagueFile> parse_league_file(const std::string& text, const std::string& path) {

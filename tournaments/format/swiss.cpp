@@ -6,7 +6,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace mirocup::league {
@@ -29,7 +28,7 @@ class Pairing {
 
   // Pairs all teams such that `more` further rounds can be paired. False if that is impossible.
   bool find(int more) {
-    const auto free = std::find(partner_.begin(), partner_.end(), no_team);
+    const auto free = std::ranges::find(partner_, no_team);
     if (free == partner_.end()) return leaves(more);
     const int a = static_cast<int>(free - partner_.begin());
     for (const int b : candidates(a)) {
@@ -84,11 +83,9 @@ class Pairing {
       if (!have_met_[a][b]) others.push_back({b, points_[a] - points_[b], position});
       ++position;
     }
-    std::stable_sort(others.begin(), others.end(), [like](const Candidate& x, const Candidate& y) {
-      const int middle_x = x.points_below == 0 ? like / 2 : 0;
-      const int middle_y = y.points_below == 0 ? like / 2 : 0;
-      return std::tuple(x.points_below, std::abs(x.position - middle_x)) <
-             std::tuple(y.points_below, std::abs(y.position - middle_y));
+    std::ranges::stable_sort(others, {}, [like](const Candidate& one) {
+      const int middle = one.points_below == 0 ? like / 2 : 0;
+      return std::pair(one.points_below, std::abs(one.position - middle));
     });
     std::vector<int> ranks;
     for (const Candidate& other : others) ranks.push_back(other.rank);
@@ -109,12 +106,9 @@ void put_byes_last(std::vector<SwissStanding>& standings, const std::vector<Fixt
   for (const Fixture& f : before) {
     if (f.away == no_team) byes.insert(f.home);
   }
-  const auto key = [&byes](const SwissStanding& s) {
+  std::ranges::stable_sort(standings, {}, [&byes](const SwissStanding& s) {
     return std::pair(-s.points, byes.contains(s.team));
-  };
-  std::stable_sort(
-      standings.begin(), standings.end(),
-      [&key](const SwissStanding& x, const SwissStanding& y) { return key(x) < key(y); });
+  });
 }
 
 // The ranks of all teams in the order in which they are asked to have the bye: the fewest points
@@ -124,11 +118,9 @@ std::vector<int> bye_candidates(const std::vector<SwissStanding>& standings, boo
   std::vector<int> ranks(standings.size());
   std::iota(ranks.begin(), ranks.end(), 0);
   if (last_first) {
-    std::reverse(ranks.begin(), ranks.end());
+    std::ranges::reverse(ranks);
   } else {
-    std::stable_sort(ranks.begin(), ranks.end(), [&standings](int a, int b) {
-      return standings[a].points < standings[b].points;
-    });
+    std::ranges::stable_sort(ranks, {}, [&standings](int rank) { return standings[rank].points; });
   }
   return ranks;
 }

@@ -292,7 +292,7 @@ class Deciding {
 }  // namespace
 
 std::string objection_to_reason(const std::string& text) {
-  const bool has_word = std::any_of(text.begin(), text.end(), [](char c) {
+  const bool has_word = std::ranges::any_of(text, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            static_cast<unsigned char>(c) >= 0x80;
   });

@@ -87,12 +87,12 @@ class ClassListReader {
 
  private:
   bool has(const std::string& field) const {
-    return std::find(names_.begin(), names_.end(), field) != names_.end();
+    return std::ranges::find(names_, field) != names_.end();
   }
 
   // Returns what a row says in the column of this name; "": nothing.
   std::string cell(const system::CsvRow& row, const std::string& name) const {
-    const auto at = std::find(names_.begin(), names_.end(), name) - names_.begin();
+    const auto at = std::ranges::find(names_, name) - names_.begin();
     return at < std::ssize(names_) && at < std::ssize(row.cells) ? row.cells[at] : "";
   }
 
@@ -106,7 +106,7 @@ class ClassListReader {
     list_.has_members = has("members") || has("first") || has("last");
     for (const std::string& name : names_) {
       if (name.empty()) return fail(Errc::input, "a column has no name");
-      if (std::count(names_.begin(), names_.end(), name) > 1)
+      if (std::ranges::count(names_, name) > 1)
         return fail(Errc::input, "two columns are called \"" + system::printable(name) + '"');
       const std::string hidden = system::hidden_character(name);
       if (system::printable(name) != name || !hidden.empty() || name.size() > max_cell)
@@ -202,7 +202,7 @@ class ClassListReader {
       std::vector<std::string> parts = parts_of(text);
       if (text.empty()) parts.clear();
       for (const std::string& part : parts) {
-        const bool is_one = !is_mail || std::count(part.begin(), part.end(), '@') == 1;
+        const bool is_one = !is_mail || std::ranges::count(part, '@') == 1;
         if (!is_one || part.find_first_of(is_mail ? ", " : ",") != std::string::npos)
           return system::in_quotes(part) + " is no " + field +
                  ": write it alone, with ; between two";
@@ -318,7 +318,7 @@ Result<std::vector<std::string>> ClassList::merge_into(PeopleOfTeams& people,
     const std::string& display = people[row.team].display;
     const std::string other = display.empty() ? "" : looks_like(people, state, row.team, display);
     // Of two in the list, the later one is told.
-    const bool comes_later = std::any_of(rows.begin(), rows.end(), [&](const ClassListRow& one) {
+    const bool comes_later = std::ranges::any_of(rows, [&](const ClassListRow& one) {
       return one.team == other && one.line > row.line && !people[other].display.empty() &&
              !looks_like(people, state, other, people[other].display).empty();
     });

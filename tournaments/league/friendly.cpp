@@ -70,7 +70,7 @@ const Friendly* Friendlies::next() const {
   for (const Key& key : open_) {
     const Friendly& one = all_.at(key);
     if (one.state != FriendlyState::waiting) continue;
-    const bool is_playing = std::any_of(open_.begin(), open_.end(), [&](const Key& other) {
+    const bool is_playing = std::ranges::any_of(open_, [&](const Key& other) {
       return other.first == key.first && all_.at(other).state == FriendlyState::playing;
     });
     const auto turn = turn_.find(key.first);
@@ -99,7 +99,7 @@ std::vector<const Friendly*> Friendlies::of_team(const std::string& team) const 
   for (const auto& [key, one] : all_) {
     if (key.first == team || (one.opponent == team && !one.is_burst)) own.push_back(&one);
   }
-  std::stable_sort(own.begin(), own.end(), [](const Friendly* a, const Friendly* b) {
+  std::ranges::stable_sort(own, [](const Friendly* a, const Friendly* b) {
     return a->at != b->at ? a->at > b->at : a->number < b->number;
   });
   return own;

@@ -12,8 +12,8 @@ namespace {
 
 int in_last_hour(const std::vector<std::int64_t>& times, std::int64_t now) {
   constexpr std::int64_t hour = 3600;  // s
-  return static_cast<int>(std::count_if(
-      times.begin(), times.end(), [now](std::int64_t at) { return std::abs(now - at) < hour; }));
+  return static_cast<int>(
+      std::ranges::count_if(times, [now](std::int64_t at) { return std::abs(now - at) < hour; }));
 }
 
 // Returns the number of the last entry for which `is_one` is true; 0 if there is none.
@@ -141,7 +141,7 @@ const HandedIn* HandIns::to_stop(const std::vector<RunningCheck>& running) const
   if (next() == nullptr) return nullptr;
   // The first in the order of turns, so that it stays the same until its end.
   const auto ordered = waiting();
-  const auto left_alone = std::find_if(ordered.begin(), ordered.end(), [](const HandedIn* handed) {
+  const auto left_alone = std::ranges::find_if(ordered, [](const HandedIn* handed) {
     return handed->state != HandInState::queued &&
            handed->times(NoAnswer::gave_way) >= gives_way_at_most;
   });
@@ -160,19 +160,18 @@ const HandedIn* HandIns::to_stop(const std::vector<RunningCheck>& running) const
 
 std::vector<const HandedIn*> HandIns::waiting() const {
   std::vector<const HandedIn*> ordered = waiting_;
-  std::stable_sort(ordered.begin(), ordered.end(),
-                   [](const auto* a, const auto* b) { return a->round < b->round; });
+  std::ranges::stable_sort(ordered, {}, &HandedIn::round);
   return ordered;
 }
 
 const HandedIn* HandIns::next() const {
   const auto ordered = waiting();
   const auto is_checked = [&](const std::string& team) {
-    return std::any_of(ordered.begin(), ordered.end(), [&](const HandedIn* handed) {
+    return std::ranges::any_of(ordered, [&](const HandedIn* handed) {
       return handed->team == team && handed->state != HandInState::queued;
     });
   };
-  const auto found = std::find_if(ordered.begin(), ordered.end(), [&](const HandedIn* handed) {
+  const auto found = std::ranges::find_if(ordered, [&](const HandedIn* handed) {
     return handed->state == HandInState::queued && !is_checked(handed->team);
   });
   return found == ordered.end() ? nullptr : *found;
@@ -180,14 +179,12 @@ const HandedIn* HandIns::next() const {
 
 int HandIns::before(const std::string& team, int entry) const {
   const auto ordered = waiting();
-  const auto own = std::find(ordered.begin(), ordered.end(), find(team, entry));
+  const auto own = std::ranges::find(ordered, find(team, entry));
   return own == ordered.end() ? 0 : static_cast<int>(own - ordered.begin());
 }
 
 int HandIns::waiting(const std::string& team) const {
-  return static_cast<int>(
-      std::count_if(waiting_.begin(), waiting_.end(),
-                    [&](const HandedIn* handed) { return handed->team == team; }));
+  return static_cast<int>(std::ranges::count(waiting_, team, &HandedIn::team));
 }
 
 const std::map<int, HandedIn>& HandIns::of_team(const std::string& team) const {

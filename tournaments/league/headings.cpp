@@ -33,7 +33,7 @@ Result<void> name_fields(std::vector<std::string>& headings, const std::string& 
   for (const std::string& pair : parts_of(system::replaced(words, ",", ";"))) {
     if (words.empty()) break;
     const std::string field = system::lower_case(pair.substr(0, pair.find('=')));
-    const auto named = std::find_if(headings.begin(), headings.end(), [&](const auto& one) {
+    const auto named = std::ranges::find_if(headings, [&](const auto& one) {
       return system::lower_case(pair) == field + '=' + system::lower_case(one);
     });
     if (named == headings.end() || heading_of(field, {field}).empty()) {
@@ -46,15 +46,14 @@ Result<void> name_fields(std::vector<std::string>& headings, const std::string& 
   }
   for (const std::string field : {"team", "display", "members", "first", "last"}) {
     const std::string heading = heading_of(field, headings);
-    if (!heading.empty()) std::replace(headings.begin(), headings.end(), heading, field);
+    if (!heading.empty()) std::ranges::replace(headings, heading, field);
   }
   return {};
 }
 
 std::string heading_of(const std::string& field, const std::vector<std::string>& headings) {
-  const auto line = std::find_if(known.begin(), known.end(), [&](std::string_view one) {
-    return one.starts_with(' ' + field + ' ');
-  });
+  const auto line = std::ranges::find_if(
+      known, [&](std::string_view one) { return one.starts_with(' ' + field + ' '); });
   std::string best;
   for (std::size_t place = std::string_view::npos; const std::string& heading : headings) {
     std::string word = system::lower_case(heading);

@@ -54,7 +54,7 @@ void look_at_teams(const LeagueState& state, Health& h) {
       const auto* paused = std::get_if<Paused>(&d.event);
       return paused != nullptr && paused->team == team && !d.undone_by;
     };
-    if (std::any_of(state.decisions.begin(), state.decisions.end(), by_person)) continue;
+    if (std::ranges::any_of(state.decisions, by_person)) continue;
     h.problems.push_back(
         team + " is paused: " + state.teams[i].why +
         "; league resume lets it play again, league withdraw takes it out of the league");

@@ -78,7 +78,7 @@ bool FixtureState::is_decided() const {
 }
 
 bool FixtureState::has_begun() const {
-  return std::any_of(legs.begin(), legs.end(), [](const LegState& leg) {
+  return std::ranges::any_of(legs, [](const LegState& leg) {
     return leg.voids > 0 || (leg.played && leg.played->end != LegEnd::withdrawn);
   });
 }

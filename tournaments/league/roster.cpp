@@ -128,7 +128,7 @@ bool is_template(system::Files& files, const Templates& templates, const Folder&
   constexpr std::uint64_t longest = 64u << 10;  // bytes
   auto source = files.read(folder.source(entry.team, entry.entry), {.max_size = longest});
   if (!source) source = files.read(folder.library(entry.team, entry.entry), {.max_size = longest});
-  return source && std::any_of(templates.begin(), templates.end(), [&source](const auto& one) {
+  return source && std::ranges::any_of(templates, [&source](const auto& one) {
            return source->starts_with(one.first) && source->ends_with(one.second);
          });
 }

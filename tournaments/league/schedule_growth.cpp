@@ -145,24 +145,21 @@ void ScheduleGrowth::pair_swiss() {
   std::vector<FixtureState>& fixtures = state_.fixtures;
   const auto last_round = [&] { return fixtures.empty() ? 0 : fixtures.back().fixture.round; };
   const auto of_round = [&](int round) {
-    return std::find_if(fixtures.begin(), fixtures.end(),
-                        [round](const FixtureState& f) { return f.fixture.round == round; });
+    return std::ranges::find_if(
+        fixtures, [round](const FixtureState& f) { return f.fixture.round == round; });
   };
   const int rounds = state_.file.format.swiss_rounds(static_cast<int>(state_.teams.size()));
   state_.unpaired_round = 0;
   while (true) {
     const int round = last_round();
     const auto begin = of_round(round);
-    const bool has_begun =
-        std::any_of(begin, fixtures.end(), [](const FixtureState& f) { return f.has_begun(); });
+    const bool has_begun = std::ranges::any_of(begin, fixtures.end(), &FixtureState::has_begun);
     if (round > 1 && !has_begun) {
       while (last_round() == round) remove_last();
       state_.first_open_ = std::min<int>(state_.first_open_, static_cast<int>(fixtures.size()));
       continue;
     }
-    if (std::any_of(fixtures.begin(), fixtures.end(),
-                    [](const FixtureState& f) { return !f.is_decided(); }) ||
-        round >= rounds) {
+    if (!std::ranges::all_of(fixtures, &FixtureState::is_decided) || round >= rounds) {
       return;
     }
     std::vector<SwissStanding> standings;

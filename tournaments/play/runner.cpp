@@ -79,13 +79,12 @@ Result<int> Runner::run(const RunOptions& options) {
 }
 
 int Runner::playing() const {
-  return static_cast<int>(std::count_if(workers_.begin(), workers_.end(),
-                                        [](const Worker& w) { return w.playing.has_value(); }));
+  return static_cast<int>(
+      std::ranges::count_if(workers_, &std::optional<LegId>::has_value, &Worker::playing));
 }
 
 bool Runner::is_taken(const std::string& id) const {
-  return std::any_of(workers_.begin(), workers_.end(),
-                     [&id](const Worker& w) { return w.fixture == id; });
+  return std::ranges::count(workers_, id, &Worker::fixture) > 0;
 }
 
 Result<void> Runner::fill_workers() {

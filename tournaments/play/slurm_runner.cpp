@@ -27,8 +27,7 @@ constexpr std::string_view script =
     "exec \"$1\" run-shard \"$2\" $(sed -n \"${SLURM_ARRAY_TASK_ID}p\" \"$3\")\n";
 
 bool holds(const std::vector<SlurmTask>& tasks, const SlurmTask& task) {
-  return std::any_of(tasks.begin(), tasks.end(),
-                     [&task](const SlurmTask& t) { return t.id == task.id; });
+  return std::ranges::count(tasks, task.id, &SlurmTask::id) > 0;
 }
 
 std::vector<std::string> ids_of(const std::vector<SlurmTask>& tasks) {
@@ -262,8 +261,7 @@ std::string SlurmRunner::plan_path(int number) const {
 }
 
 int SlurmRunner::running() const {
-  return static_cast<int>(std::count_if(tasks_.begin(), tasks_.end(),
-                                        [](const SlurmTask& task) { return task.is_running; }));
+  return static_cast<int>(std::ranges::count(tasks_, true, &SlurmTask::is_running));
 }
 
 }  // namespace mirocup::league

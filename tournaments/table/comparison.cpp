@@ -31,7 +31,7 @@ double log_capital(const Counts& counts, double share) {
     }
     size /= std::sqrt(2.0);
   }
-  const double top = *std::max_element(logs.begin(), logs.end());
+  const double top = *std::ranges::max_element(logs);
   double sum = 0.0;
   for (const double log : logs) sum += std::exp(log - top);
   return top + std::log(sum / bets);
@@ -45,7 +45,7 @@ bool is_above(const Counts& counts, double share, double error) {
 
 // The results as the other team sees them.
 Counts turned(Counts counts) {
-  std::reverse(counts.begin(), counts.end());
+  std::ranges::reverse(counts);
   return counts;
 }
 

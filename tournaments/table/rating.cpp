@@ -370,7 +370,7 @@ Ratings rate_entries(const std::vector<int>& present, std::vector<FixtureResults
   }
   std::vector<std::pair<std::size_t, Entry>> order;  // as in Players
   for (const auto& [entry, place] : last) order.push_back({place, entry});
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::map<Entry, int> player;
   for (const auto& one : order) player.emplace(one.second, static_cast<int>(player.size()));
   players.former.assign(order.size(), no_player);

@@ -143,8 +143,7 @@ class Ranking {
   void split(std::vector<int> level, std::string_view what, Value value, Next next) {
     std::vector<double> values(total_.size());
     for (const int team : level) values[team] = value(team);
-    std::stable_sort(level.begin(), level.end(),
-                     [&](int a, int b) { return values[a] > values[b]; });
+    std::ranges::stable_sort(level, [&](int a, int b) { return values[a] > values[b]; });
     for (std::size_t i = 0; i < level.size();) {
       std::size_t end = i + 1;
       while (end < level.size() && values[level[end]] == values[level[i]]) ++end;
@@ -224,9 +223,8 @@ class Ranking {
 
   // Returns the number of legs in which the team could score.
   std::size_t legs_with_goals(int team) const {
-    return static_cast<std::size_t>(
-        std::count_if(legs_of_[team].begin(), legs_of_[team].end(),
-                      [this](std::size_t i) { return results_[i].away >= 0; }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        legs_of_[team], [this](std::size_t i) { return results_[i].away >= 0; }));
   }
 
   double value(TieBreak rule, int team, const std::map<int, TableRow>& mini) const {
@@ -269,8 +267,7 @@ class Ranking {
 
   std::size_t first_head_to_head() const {
     const auto& list = rules_.tie_breaks;
-    return static_cast<std::size_t>(std::find_if(list.begin(), list.end(), is_head_to_head) -
-                                    list.begin());
+    return static_cast<std::size_t>(std::ranges::find_if(list, is_head_to_head) - list.begin());
   }
 
   const std::vector<int>& teams_;

@@ -77,7 +77,7 @@ system::Descriptor connected(const Address& server, std::chrono::seconds most,
 
 // True for a host or a path that needs no coding in a request.
 bool is_plain(const std::string& text) {
-  return std::none_of(text.begin(), text.end(), [](unsigned char c) {
+  return std::ranges::none_of(text, [](unsigned char c) {
     return c <= ' ' || c >= 0x7f || c == '?' || c == '#' || c == '@';
   });
 }

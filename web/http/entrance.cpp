@@ -28,8 +28,8 @@ int connection_capacity() {
 
 // Returns the number of guests for which matches(guest) is true.
 int Entrance::count(auto matches) const {
-  return static_cast<int>(std::count_if(guests_.begin(), guests_.end(),
-                                        [&](const auto& one) { return matches(one.second); }));
+  return static_cast<int>(
+      std::ranges::count_if(guests_, [&](const auto& one) { return matches(one.second); }));
 }
 
 int Entrance::present(const std::string* address) const {

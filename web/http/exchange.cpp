@@ -32,8 +32,7 @@ bool has_folded_line(std::string_view head) {
 }
 
 bool is_number(const std::string& text) {
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 std::string status_line(int status, bool is_for_ever = false) {

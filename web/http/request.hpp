@@ -43,7 +43,7 @@ struct Request {
 // that begins with it holds below any path at which a proxy shows the site.
 inline std::string root_of(std::string_view path) {
   std::string root;
-  for (auto left = std::count(path.begin(), path.end(), '/'); left > 1; --left) root += "../";
+  for (auto left = std::ranges::count(path, '/'); left > 1; --left) root += "../";
   return root;
 }
 
