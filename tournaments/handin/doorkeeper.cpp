@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::string_view bearer = "Bearer ";
 
-tl::unexpected<Refusal> refused(int status, std::string why) {
-  return tl::unexpected(Refusal{status, std::move(why)});
-}
-
 // Makes browsers take the cookie over TLS only, and from this host only.
 constexpr const char* secure_prefix = "__Host-";
 

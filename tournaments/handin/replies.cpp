@@ -17,6 +17,10 @@ web::Reply problem_reply(int status, const std::string& why) {
   return json_reply(status, {{"error", why}});
 }
 
+tl::unexpected<Refusal> refused(int status, std::string why) {
+  return tl::unexpected(Refusal{status, std::move(why)});
+}
+
 web::Reply reply_to(const Refusal& refusal) {
   web::Reply reply = problem_reply(refusal.status, refusal.why);
   if (refusal.status == 401) reply.headers.emplace_back("WWW-Authenticate", "Bearer");

@@ -23,6 +23,7 @@ struct Refusal {
   std::string why;        // a sentence
   std::int64_t wait = 0;  // s until the sender may try again; 0: no wait
 };
+tl::unexpected<Refusal> refused(int status, std::string why);
 web::Reply reply_to(const Refusal& refusal);
 
 web::Reply json_reply(int status, const nlohmann::ordered_json& json);

@@ -32,9 +32,6 @@ std::string too_large() {
 
 tl::expected<void, Refusal> Uploads::expect_allowed(const std::string& team,
                                                     const HandInTerms& terms) {
-  const auto refused = [](int status, const std::string& why) {
-    return tl::unexpected(Refusal{status, why});
-  };
   if (!terms.why_not.empty()) return refused(403, terms.why_not);
   const HandIns& hand_ins = state_.book.hand_ins();
   if (const int waiting = hand_ins.waiting(team); waiting >= state_.options.max_waiting)
