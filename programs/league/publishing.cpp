@@ -10,6 +10,7 @@
 #include "web/page.hpp"
 #include "web/playground.hpp"
 
+#include <filesystem>
 #include <iostream>
 #include <set>
 #include <vector>
@@ -38,6 +39,16 @@ PageParts page_parts(system::Files& files) {
 Result<std::optional<Night>> night_for(const LeagueState& shown, const LeagueStore& store) {
   if (!sees_nights(Viewer::visitor, store.state())) return std::optional<Night>();
   return last_night(shown, store.journal());
+}
+
+std::string type_of(const std::string& path) {
+  const std::string end = std::filesystem::path(path).extension();
+  if (end == ".html") return "text/html; charset=utf-8";
+  if (end == ".json") return "application/json";
+  if (end == ".csv") return "text/csv; charset=utf-8";
+  if (end == ".css") return "text/css; charset=utf-8";
+  if (end == ".js") return "text/javascript; charset=utf-8";
+  return "application/octet-stream";
 }
 
 Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store) {

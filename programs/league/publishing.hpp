@@ -26,6 +26,9 @@ std::function<std::string()> playground_maker(system::Files& files);
 // built.
 PageParts page_parts(system::Files& files);
 
+// Returns the media type of a file of a site, by the ending of its path.
+std::string type_of(const std::string& path);
+
 // Prints to standard error what journal and files of the league lack, and returns it.
 Result<Gaps> say_gaps(system::Files& files, const LeagueStore& store);
 

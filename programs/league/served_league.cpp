@@ -38,16 +38,6 @@ constexpr const char* team_policy =
 constexpr const char* compiler_policy =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'";
 
-std::string type_of(const std::string& path) {
-  const std::string end = std::filesystem::path(path).extension();
-  if (end == ".html") return "text/html; charset=utf-8";
-  if (end == ".json") return "application/json";
-  if (end == ".csv") return "text/csv; charset=utf-8";
-  if (end == ".css") return "text/css; charset=utf-8";
-  if (end == ".js") return "text/javascript; charset=utf-8";
-  return "application/octet-stream";
-}
-
 std::string stem_of(const LegId& leg) {
   return std::filesystem::path(Folder::record_name(leg.fixture, leg.leg, leg.version)).stem();
 }

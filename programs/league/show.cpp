@@ -2,6 +2,7 @@
 //
 // The subcommand show.
 #include "programs/league/commands.hpp"
+#include "programs/league/publishing.hpp"
 #include "record/match_record.hpp"
 #include "system/digest.hpp"
 #include "system/process_set.hpp"
@@ -73,10 +74,6 @@ const RoundView* round_named(const std::vector<RoundView>& rounds, const std::st
   return nullptr;
 }
 
-web::Page text_page(std::string type, std::string bytes) {
-  return {std::move(type), show_policy, std::move(bytes)};
-}
-
 // A round that is shown on a projector: the page, the recorded legs, the table after each leg, and
 // the commands of a remote. The league is read once, so the page does not show legs that are played
 // later.
@@ -112,7 +109,7 @@ class ShownRound {
       for (std::size_t i = seen - 1; i < given_.size(); ++i) fresh.push_back(given_[i]);
     }
     seen = now;
-    return "event: command\ndata: " + record::json_text(fresh) + "\n\n";
+    return web::event_text("command", fresh);
   }
 
   bool control(const std::string& body) {
@@ -151,10 +148,10 @@ class ShownRound {
     const auto add_standing = [&]() -> Result<void> {
       MIROCUP_TRY(const auto then, state_through(state, store.journal(), round->key, &shown));
       const std::string count = std::to_string(shown.size());
-      add_html("/after/" + count + ".html",
-               standing_html(overview(then, known),
-                             shown.empty() ? "Before " + round->title : "After leg " + count,
-                             is_of_knockout));
+      add("/after/" + count + ".html",
+          standing_html(overview(then, known),
+                        shown.empty() ? "Before " + round->title : "After leg " + count,
+                        is_of_knockout));
       return {};
     };
     MIROCUP_TRY_VOID(add_standing());
@@ -180,8 +177,8 @@ class ShownRound {
     }
     if (legs_.empty())
       return fail(Errc::input, "no leg of round " + round->key + " has a record that can be shown");
-    add_json("/programme.json",
-             {{"round", round->title}, {"at_once", at_once}, {"legs", programme}});
+    add("/programme.json",
+        record::json_text({{"round", round->title}, {"at_once", at_once}, {"legs", programme}}));
     const bool is_last = round == &rounds.back();
     Json next = Json::array();
     if (!is_last) {
@@ -190,10 +187,10 @@ class ShownRound {
                        state.shown_name(f.state->fixture.away));
     }
     // Asked for at the end only: the pairs of a knockout tell who has won.
-    add_json("/next.json", next);
+    add("/next.json", record::json_text(next));
     const Json champion = is_last ? champion_values(o) : Json(false);
-    add_html("/champion.html",
-             champion != false ? web::filled(show_file, "champion.html", champion) : "");
+    add("/champion.html",
+        champion != false ? web::filled(show_file, "champion.html", champion) : "");
     add_files({{"league", state.file.title},
                {"round", round->title},
                {"about", std::to_string(legs_.size()) + " legs"}});
@@ -201,28 +198,22 @@ class ShownRound {
   }
 
   void add_files(const Json& values) {
-    add_html("/", web::filled(show_file, "show.html", values));
-    add_html("/remote", web::filled(show_file, "remote.html", values));
-    pages_["/show.css"] =
-        text_page("text/css; charset=utf-8", std::string(web::design_file("design.css")) +
-                                                 std::string(page_file("site.css")) +
-                                                 std::string(show_file("show.css")));
-    const auto add_script = [&](const std::string& path, std::string_view script) {
-      pages_[path] = text_page("text/javascript; charset=utf-8", std::string(script));
-    };
+    add("/", web::filled(show_file, "show.html", values));
+    add("/remote", web::filled(show_file, "remote.html", values));
+    add("/show.css", std::string(web::design_file("design.css")) +
+                         std::string(page_file("site.css")) + std::string(show_file("show.css")));
     for (const std::string script : {"show.js", "remote.js"})
-      add_script("/" + script, show_file(script));
+      add("/" + script, std::string(show_file(script)));
     for (const std::string module : {"field.js", "text.js", "track.js"})
-      add_script("/page/" + module, web::asset(module));
+      add("/page/" + module, std::string(web::asset(module)));
   }
 
-  void add_html(const std::string& path, std::string html) {
-    pages_[path] = text_page("text/html; charset=utf-8", std::move(html));
+  // A path without an ending is that of a page.
+  void add(const std::string& path, std::string bytes) {
+    const bool is_page = path.find('.') == std::string::npos;
+    pages_[path] = {type_of(is_page ? "page.html" : path), show_policy, std::move(bytes)};
   }
 
-  void add_json(const std::string& path, const Json& json) {
-    pages_[path] = text_page("application/json", record::json_text(json));
-  }
   std::optional<web::Page> data_page(const Leg& leg) const {
     const auto loaded = record::load(*files_, leg.record);
     if (!loaded) {
@@ -239,7 +230,7 @@ class ShownRound {
     (*data)["teams"]["blue"]["name"] = leg.blue;
     (*data)["teams"]["yellow"]["name"] = leg.yellow;
     (*data)["picture"] = web::first_picture(*loaded);
-    return text_page("application/json", record::json_text(*data));
+    return web::Page{type_of(leg.record), show_policy, record::json_text(*data)};
   }
 
   // A leg of another version may go another way here. Then its replay page shows it, which the
