@@ -42,25 +42,12 @@ web::Site site_of(ServedLeague& league, const std::string& base) {
 
 Result<std::unique_ptr<Portal>> open_portal(system::Files& files, const ServeOptions& options,
                                             ServedLeague& league) {
-  PortalOptions portal;
-  portal.team_header = options.team_header;
-  const auto of_league = [&league](auto function) { return std::bind_front(function, &league); };
-  portal.terms = of_league(&ServedLeague::hand_in_terms);
-  portal.legs = of_league(&ServedLeague::legs_of);
-  portal.has_written = of_league(&ServedLeague::note_own_write);
-  portal.digest = of_league(&ServedLeague::digest_of);
-  portal.replay = of_league(&ServedLeague::own_replay);
-  portal.sheets = of_league(&ServedLeague::sheets_of);
-  portal.shown_name = of_league(&ServedLeague::shown_name_of);
-  portal.time_in_words = of_league(&ServedLeague::time_in_words);
-  portal.friendlies = {.teams = of_league(&ServedLeague::booked_entries),
-                       .neighbours = of_league(&ServedLeague::neighbours_of),
-                       .house = system::house_teams(),
-                       .has_drills = league.has_drills(),
-                       .replay = of_league(&ServedLeague::replay_of)};
-  portal.now = [] { return system::now_s(); };
   std::string notice;
-  auto opened = Portal::open(files, Folder{options.folder}, std::move(portal), &notice);
+  auto opened = Portal::open(files, Folder{options.folder}, league,
+                             {.team_header = options.team_header,
+                              .house = system::house_teams(),
+                              .now = [] { return system::now_s(); }},
+                             &notice);
   if (!notice.empty()) tell_host(notice);
   return opened;
 }

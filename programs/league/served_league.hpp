@@ -7,8 +7,7 @@
 // Threads: all public functions may be called by any thread at any time.
 #pragma once
 
-#include "tournaments/handin/own_legs.hpp"
-#include "tournaments/league/submission.hpp"
+#include "tournaments/handin/portal_league.hpp"
 #include "tournaments/publish/replay_pages.hpp"
 #include "tournaments/publish/site.hpp"
 #include "web/page.hpp"
@@ -26,7 +25,7 @@
 
 namespace mirocup::league {
 
-class ServedLeague {
+class ServedLeague final : public PortalLeague {
  public:
   ServedLeague(system::Files& files, LeagueStore store) : files_(files), store_(std::move(store)) {}
 
@@ -38,50 +37,22 @@ class ServedLeague {
   // From now on the pages link to the form for hand-ins.
   void offer_hand_in() { takes_hand_ins_ = true; }
 
-  // True if entries try drills: the league has the field of the drills.
-  bool has_drills() const { return store_.state().file.league == RobotLeague::small; }
-
-  // Calls league::hand_in_terms(). `now` is UTC.
-  HandInTerms hand_in_terms(const std::string& team, const std::string& now);
-
-  // To be called when this program has written to the league's folder: what other functions return
-  // from now on shows it. Without this call they may return data of half a second ago.
-  void note_own_write() { has_written_ = true; }
-
-  // Returns the decided legs of a team that a viewer may see.
-  std::vector<OwnLeg> legs_of(Viewer viewer, const std::string& team);
-
-  // Returns a team's digest of the last night as part of a page of the desk; "" if the night is
-  // hidden, or if there was no night.
-  std::string digest_of(const std::string& team);
-
-  // Returns the replay page of a leg that a team may see, released or not. The page shows the kept
-  // thoughts and the output of the given teams. `links` is HTML that follows the links to the
-  // league.
+  // The functions of PortalLeague. Without note_own_write() they may return data of half a second
+  // ago.
+  HandInTerms hand_in_terms(const std::string& team, const std::string& now) override;
+  std::vector<OwnLeg> legs_of(Viewer viewer, const std::string& team) override;
+  std::string digest_of(const std::string& team) override;
   std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose,
-                                        const std::string& links);
-
-  // Returns the teams that play with an entry, and the number of the entry by the journal; 0: none
-  // yet.
-  std::map<std::string, int> booked_entries();
-
-  // Returns the neighbours of a team in the table that visitors see, the team above first; none
-  // before the start.
-  std::vector<std::string> neighbours_of(const std::string& team);
-
-  // Returns the name that pages show for a team.
-  std::string shown_name_of(const std::string& team);
-
-  // Returns a time of the journal in the league's time zone: shown_time().
-  std::string time_in_words(const std::string& utc);
-
-  // Returns sheets_of_team(); null if sheets.json cannot be read, which the staff page says.
-  Json sheets_of(const std::string& team);
-
-  // Returns the page that replays the record at a path, with the thoughts and output of the teams
-  // in `whose`; nothing if the page cannot be made. `root`: web::root_of() its address.
+                                        const std::string& links) override;
   std::optional<std::string> replay_of(const std::string& record, const record::Whose& whose,
-                                       const std::string& root);
+                                       const std::string& root) override;
+  Json sheets_of(const std::string& team) override;
+  std::string shown_name_of(const std::string& team) override;
+  std::string time_in_words(const std::string& utc) override;
+  std::map<std::string, int> booked_entries() override;
+  std::vector<std::string> neighbours_of(const std::string& team) override;
+  bool has_drills() const override { return store_.state().file.league == RobotLeague::small; }
+  void note_own_write() override { has_written_ = true; }
 
  private:
   // A leg that is being played and can be watched.

@@ -30,7 +30,7 @@ Json timing_rows(const Json& entry) {
 
 }  // namespace
 
-std::string entry_page(const Json& entry, const TimeInWords& time_in_words, const std::string& root,
+std::string entry_page(const Json& entry, PortalLeague& league, const std::string& root,
                        bool is_for_staff) {
   Json values = entry;
   values["root"] = root;
@@ -38,7 +38,7 @@ std::string entry_page(const Json& entry, const TimeInWords& time_in_words, cons
   if (entry.contains("replay")) values["replay"] = root + text_in(entry, "replay").substr(1);
   const std::string message = text_in(entry, "message");
   values["answer"] = message.empty() ? text_in(entry, "reason") : message;
-  values["when"] = time_in_words(text_in(entry, "handed_in"));
+  values["when"] = league.time_in_words(text_in(entry, "handed_in"));
   values["has_checks"] = entry.contains("checks");
   if (entry.contains("checks"))
     for (Json& check : values["checks"])

@@ -44,12 +44,11 @@ FriendlyEnded read_end(const record::JsonReader& json) {
 Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry) {
   const Friendlies& known = state_.book.friendlies();
   if (entry == 0 || known.has_burst(team, entry)) return {};
-  const FriendlyOptions& options = state_.options.friendlies;
   Burst burst{.team = team, .entry = entry, .at = state_.options.now()};
   if (const auto before = known.bursts().find(team); before != known.bursts().end())
     burst.legs.assign(legs_against_former, {team, before->second});
-  for (const std::string& house : options.house) burst.legs.push_back({"house:" + house});
-  const auto neighbours = options.neighbours(team);
+  for (const std::string& house : state_.options.house) burst.legs.push_back({"house:" + house});
+  const auto neighbours = state_.league.neighbours_of(team);
   const auto teams = neighbours.empty() ? std::map<std::string, int>() : entries_that_play();
   for (const std::string& neighbour : neighbours) {
     const auto found = teams.find(neighbour);
@@ -62,7 +61,7 @@ Result<void> FriendlyDesk::entry_accepted(const std::string& team, int entry) {
 
 // Requires the mutex of the state.
 std::map<std::string, int> FriendlyDesk::entries_that_play() {
-  auto teams = state_.options.friendlies.teams();
+  auto teams = state_.league.booked_entries();
   for (auto& [team, entry] : teams) {
     if (entry == 0) entry = state_.book.hand_ins().playing(team);
   }
@@ -81,7 +80,7 @@ web::Reply FriendlyDesk::ask(const std::string& team, const std::string& opponen
                .at = now};
   if (leg.entry == 0) return problem_reply(403, team + " has no accepted entry to play with");
   if (is_house(opponent)) {
-    const auto& house = state_.options.friendlies.house;
+    const auto& house = state_.options.house;
     const std::string name = opponent.substr(opponent.find(':') + 1);
     if (std::ranges::find(house, name) == house.end())
       return problem_reply(404, "no house team has this name");
@@ -123,8 +122,7 @@ std::vector<std::string> FriendlyDesk::opponents(const std::string& team) {
       if (name != team) names.push_back(name);
     }
   }
-  for (const std::string& house : state_.options.friendlies.house)
-    names.push_back("house:" + house);
+  for (const std::string& house : state_.options.house) names.push_back("house:" + house);
   return names;
 }
 
@@ -183,9 +181,8 @@ web::Reply FriendlyDesk::show(const std::string& visitor, const std::string& tea
       (what != "log" && what != "replay"))
     return problem_reply(404, visitor + " has played no friendly of this name");
   const OwnLeg leg = leg_of(*known, visitor);
-  return what == "log"
-             ? log_reply(state_.files, log_path(state_.folder, leg))
-             : replay_reply(state_.options.friendlies.replay(record, own_side(leg), root));
+  return what == "log" ? log_reply(state_.files, log_path(state_.folder, leg))
+                       : replay_reply(state_.league.replay_of(record, own_side(leg), root));
 }
 
 std::optional<Friendly> FriendlyDesk::begin_next() {
@@ -201,7 +198,7 @@ std::optional<Friendly> FriendlyDesk::begin_next() {
 
 // Requires the mutex of the state. Drills that fail are tried again by the next server.
 std::optional<Friendly> FriendlyDesk::next_drills() {
-  if (!state_.options.friendlies.has_drills) return std::nullopt;
+  if (!state_.league.has_drills()) return std::nullopt;
   for (const auto& [team, entry] : state_.book.friendlies().bursts()) {
     const bool is_new = drills_begun_.emplace(team, entry).second;
     if (is_new && !state_.files.exists(state_.folder.drill_marks(team, entry)))

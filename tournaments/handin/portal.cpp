@@ -33,10 +33,10 @@ web::Reply go_to_desk(const std::string& cookie) {
 
 }  // namespace
 
-Portal::Portal(system::Files& files, Folder folder, PortalOptions options, Book book,
-               system::FileLock lock)
+Portal::Portal(system::Files& files, Folder folder, PortalLeague& league, PortalOptions options,
+               Book book, system::FileLock lock)
     : lock_(std::move(lock)),
-      state_(files, folder, std::move(options), std::move(book)),
+      state_(files, folder, league, std::move(options), std::move(book)),
       entries_(state_),
       uploads_(state_),
       staff_(files, folder, state_.options.now),
@@ -75,7 +75,8 @@ std::span<const Portal::Route> Portal::routes() {
 }
 
 Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder& folder,
-                                             PortalOptions options, std::string* notice) {
+                                             PortalLeague& league, PortalOptions options,
+                                             std::string* notice) {
   MIROCUP_TRY(auto lock, system::FileLock::try_acquire(folder.handing_in()));
   if (!lock) {
     return fail(Errc::unavailable,
@@ -88,7 +89,7 @@ Result<std::unique_ptr<Portal>> Portal::open(system::Files& files, const Folder&
   // Uploads that a killed server has left.
   MIROCUP_TRY_VOID(files.remove_unfinished(folder.uploads()));
   std::unique_ptr<Portal> portal(
-      new Portal(files, folder, std::move(options), std::move(book), std::move(*lock)));
+      new Portal(files, folder, league, std::move(options), std::move(book), std::move(*lock)));
   MIROCUP_TRY_VOID(portal->follow_book());
   return portal;
 }
@@ -130,16 +131,16 @@ std::optional<web::Reply> Portal::answer(const web::Request& request, const web:
   const bool is_api = request.path.starts_with("/api/");
   if (route == nullptr && !is_api)
     return methods.empty() ? std::nullopt : std::optional(use_reply(request, methods));
-  if (auto refused = admit(call, route != nullptr && route->about == About::page)) return refused;
+  if (auto refusal = admit(call, route != nullptr && route->about == About::page)) return refusal;
   if (route == nullptr) {
     return methods.empty() ? problem_reply(404, "there is nothing of this name here")
                            : use_reply(request, methods);
   }
-  if (auto refused = refused_role(route->who, call.visitor)) return refused;
+  if (auto refusal = refused_role(route->who, call.visitor)) return refusal;
   if (const auto fresh = refresh(); !fresh) return host_failed(fresh.error());
-  if (auto refused = name_team(call, route->about)) return refused;
+  if (auto refusal = name_team(call, route->about)) return refusal;
   web::Reply reply = reply_of(*route, call);
-  if (!request.is_reading() && reply.status / 100 != 4) state_.options.has_written();
+  if (!request.is_reading() && reply.status / 100 != 4) state_.league.note_own_write();
   reply.is_for_known = true;
   return reply;
 }
@@ -188,7 +189,7 @@ ReplyOrRefusal Portal::desk(const Call& call) {
   const Visitor& known = call.visitor;
   if (const std::string team = call.request.asked("team"); known.sees_all() && !team.empty()) {
     if (!is_good_name(team)) return problem_reply(404, "there is no such team");
-    return staff_.legs_of(known, team, state_.options.legs(Viewer::staff, team))
+    return staff_.legs_of(known, team, state_.league.legs_of(Viewer::staff, team))
         .map_error(host_failed_for_staff);
   }
   if (known.sees_all()) {
@@ -219,19 +220,17 @@ ReplyOrRefusal Portal::grades(const Call&) {
 // as for the API, and sees the thoughts of both teams.
 ReplyOrRefusal Portal::own_replay(const Call& call) {
   const bool sees_all = call.visitor.sees_all();
-  for (const OwnLeg& leg : state_.options.legs(
+  for (const OwnLeg& leg : state_.league.legs_of(
            call.visitor.viewer(), sees_all ? call.request.asked("team") : call.visitor.team)) {
-    if (leg.record.empty() || !state_.options.replay ||
-        call.parts.front() != name_of_leg(leg) + ".html")
-      continue;
+    if (leg.record.empty() || call.parts.front() != name_of_leg(leg) + ".html") continue;
     const std::string links = decides(call.visitor.role)
                                   ? "<p class=\"path\"><a href=\"" +
                                         system::html_escaped(web::root_of(call.request.path) +
                                                              StaffDesk::decision_path(leg)) +
                                         "\">Decide about this leg</a></p>"
                                   : "";
-    if (auto page = state_.options.replay(name_of_leg(leg),
-                                          sees_all ? record::of_both : own_side(leg), links))
+    if (auto page = state_.league.own_replay(name_of_leg(leg),
+                                             sees_all ? record::of_both : own_side(leg), links))
       return replay_reply(std::move(page));
     // A leg of another version may go another way here: then its page is the one that is kept.
     return moved_to(web::root_of(call.request.path) + replay_page_of(leg.record));
@@ -253,17 +252,17 @@ tl::expected<Json, web::Reply> Portal::entry_of(const Call& call) {
 
 ReplyOrRefusal Portal::entry_page_of(const Call& call) {
   MIROCUP_TRY(const Json entry, entry_of(call));
-  return desk_reply(200, entry_page(entry, state_.options.time_in_words,
-                                    web::root_of(call.request.path), call.visitor.sees_all()));
+  return desk_reply(200, entry_page(entry, state_.league, web::root_of(call.request.path),
+                                    call.visitor.sees_all()));
 }
 
 ReplyOrRefusal Portal::entry_replay(const Call& call) {
   MIROCUP_TRY(const Json entry, entry_of(call));
   if (!entry.contains("replay"))
     return problem_reply(404, call.team + " has no entry of this number");
-  return replay_reply(state_.options.friendlies.replay(
-      state_.folder.gate_leg(call.team, *number_of(call.parts.front())), record::of_nobody,
-      web::root_of(call.request.path)));
+  return replay_reply(
+      state_.league.replay_of(state_.folder.gate_leg(call.team, *number_of(call.parts.front())),
+                              record::of_nobody, web::root_of(call.request.path)));
 }
 
 // Returns what the host has released of a team's mark, that of the closing round if it has one;
@@ -287,19 +286,18 @@ ReplyOrRefusal Portal::mark_replay(const Call& call) {
   for (const Json& leg : mark["legs"]) {
     if (number_text(leg, "number", "%.0f") != call.parts.front()) continue;
     const std::string record = text_in(mark, "home") + "/" + text_in(leg, "record");
-    return replay_reply(state_.options.friendlies.replay(record, record::of_nobody,
-                                                         web::root_of(call.request.path)));
+    return replay_reply(
+        state_.league.replay_of(record, record::of_nobody, web::root_of(call.request.path)));
   }
   return problem_reply(404, "no leg of this number decides the mark of " + call.team);
 }
 
 ReplyOrRefusal Portal::team_page(const std::string& team, int before) {
-  TeamDesk desk;
-  desk.team = team;
+  TeamDesk desk{.league = state_.league, .team = team};
   MIROCUP_TRY(Json page, entries_.reports(team, before).map_error(host_failed));
   desk.entries = std::move(page["entries"]);
   desk.older = std::move(page["older"]);
-  desk.legs = own_legs_json(state_.files, state_.folder, state_.options.legs(Viewer::team, team),
+  desk.legs = own_legs_json(state_.files, state_.folder, state_.league.legs_of(Viewer::team, team),
                             state_.costs);
   desk.friendlies = friendlies_.list(team, state_.costs);
   desk.progress = progress(team, desk.friendlies);
@@ -311,13 +309,11 @@ ReplyOrRefusal Portal::team_page(const std::string& team, int before) {
     desk.is_pinned = desk.playing > 0 && desk.playing == hand_ins.pinned(team);
   }
   desk.mark = released_mark(team);
-  if (state_.options.sheets) desk.sheets = state_.options.sheets(team);
+  desk.sheets = state_.league.sheets_of(team);
   const HandInTerms terms = state_.terms_of(team);
   desk.deadline = terms.deadline;
   desk.is_late = terms.is_late;
-  desk.time_in_words = state_.options.time_in_words;
-  desk.shown_name = state_.options.shown_name;
-  if (state_.options.digest) desk.digest = state_.options.digest(team);
+  desk.digest = state_.league.digest_of(team);
   return desk_reply(200, team_desk_page(desk));
 }
 
@@ -388,16 +384,16 @@ ReplyOrRefusal Portal::pin(const Call& call) {
 }
 
 ReplyOrRefusal Portal::list_legs(const Call& call) {
-  return json_reply(
-      200, {{"team", call.team},
-            {"legs",
-             own_legs_json(state_.files, state_.folder,
-                           state_.options.legs(call.visitor.viewer(), call.team), state_.costs)}});
+  return json_reply(200,
+                    {{"team", call.team},
+                     {"legs", own_legs_json(state_.files, state_.folder,
+                                            state_.league.legs_of(call.visitor.viewer(), call.team),
+                                            state_.costs)}});
 }
 
 ReplyOrRefusal Portal::show_log(const Call& call) {
   // Only a leg of the team has a name that is looked for; no path comes from the request.
-  for (const OwnLeg& leg : state_.options.legs(call.visitor.viewer(), call.team)) {
+  for (const OwnLeg& leg : state_.league.legs_of(call.visitor.viewer(), call.team)) {
     if (leg.record.empty() || call.parts.front() != name_of_leg(leg)) continue;
     return log_reply(state_.files, log_path(state_.folder, leg));
   }
@@ -491,7 +487,7 @@ Result<void> Portal::note_answer(const std::string& team, int entry) {
     state_.book.hand_ins().wait_again(team, entry);
     return {};
   }
-  state_.options.has_written();  // the team may have joined
+  state_.league.note_own_write();  // the team may have joined
   if (handed->state != HandInState::accepted) return {};
   // Before anybody is told, so that a team that has the answer finds its friendlies.
   return friendlies_.entry_accepted(team, entry);

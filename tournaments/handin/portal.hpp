@@ -21,8 +21,10 @@ namespace mirocup::league {
 
 class Portal {
  public:
+  // `files` and `league` must outlive the portal.
   static Result<std::unique_ptr<Portal>> open(system::Files& files, const Folder& folder,
-                                              PortalOptions options, std::string* notice);
+                                              PortalLeague& league, PortalOptions options,
+                                              std::string* notice);
 
   // A route: a pattern of paths (see match_path), the people who may use the route, and its
   // handler.
@@ -65,8 +67,8 @@ class Portal {
   std::optional<HandedIn> to_stop(const std::vector<RunningCheck>& running);
 
  private:
-  Portal(system::Files& files, Folder folder, PortalOptions options, Book book,
-         system::FileLock lock);
+  Portal(system::Files& files, Folder folder, PortalLeague& league, PortalOptions options,
+         Book book, system::FileLock lock);
   Result<void> follow_book();
   Result<void> refresh();
   Result<void> note_answer(const std::string& team, int entry);

@@ -40,7 +40,7 @@ Json entries_values(const TeamDesk& desk) {
     const bool may_play = text_in(entry, "state") == "accepted" && !entry.contains("late");
     entry["pin"] = may_play && !is_pinned ? entry["entry"] : Json();
     entry["answer"] = answer_in_words(entry);
-    entry["when"] = desk.time_in_words(text_in(entry, "handed_in"));
+    entry["when"] = desk.league.time_in_words(text_in(entry, "handed_in"));
     if (!entry.contains("late") || text_in(entry, "state") != "accepted") continue;
     entry["state"] = "late";
     entry["plays"] = "plays only if the host takes it ";
@@ -58,7 +58,7 @@ void add_leg_cells(Json& leg, const TeamDesk& desk) {
   const std::string cpu = number_text(leg, "cpu_seconds", "%.2f");
   leg["cpu"] = cpu.empty() ? "" : cpu + " of " + bank;
   leg["slowest"] = number_text(leg, "slowest_tick_ms", "%.2f");
-  leg["opponent"] = desk.shown_name(text_in(leg, "opponent"));
+  leg["opponent"] = desk.league.shown_name_of(text_in(leg, "opponent"));
   leg["score"] = score_of(leg);
   const bool has_thoughts = leg.contains("thoughts");
   if (!leg.contains("replay")) leg["replay"] = leg["log"] = Json();
@@ -150,28 +150,29 @@ std::string log_in_page(const std::string& why, const std::string& root) {
 std::string team_desk_page(const TeamDesk& desk) {
   Json opponents = Json::array();
   for (const std::string& name : desk.opponents)
-    opponents.push_back({{"team", name}, {"name", desk.shown_name(name)}});
+    opponents.push_back({{"team", name}, {"name", desk.league.shown_name_of(name)}});
   Json legs = desk.legs;
   for (Json& leg : legs) add_leg_cells(leg, desk);
   return desk_page(
-      desk.shown_name(desk.team),
-      filled_page("team_desk.html",
-                  {{"has_entries", !desk.entries.empty()},
-                   {"entries", entries_values(desk)},
-                   {"older", desk.older},
-                   {"is_late", desk.is_late},
-                   {"deadline", desk.deadline.empty() ? "" : desk.time_in_words(desk.deadline)},
-                   {"grade", desk.mark},
-                   {"has_sheets", !desk.sheets.empty()},
-                   {"sheets", desk.sheets},
-                   {"digest", desk.digest},
-                   {"progress", progress_values(desk.progress)},
-                   {"may_play", desk.playing > 0},
-                   {"opponents", opponents},
-                   {"friendlies", latest_first(friendlies_values(desk), shown_friendlies)},
-                   {"legs", latest_first(legs, shown_legs)},
-                   {"has_legs", !legs.empty()},
-                   {"team", desk.team}}));
+      desk.league.shown_name_of(desk.team),
+      filled_page(
+          "team_desk.html",
+          {{"has_entries", !desk.entries.empty()},
+           {"entries", entries_values(desk)},
+           {"older", desk.older},
+           {"is_late", desk.is_late},
+           {"deadline", desk.deadline.empty() ? "" : desk.league.time_in_words(desk.deadline)},
+           {"grade", desk.mark},
+           {"has_sheets", !desk.sheets.empty()},
+           {"sheets", desk.sheets},
+           {"digest", desk.digest},
+           {"progress", progress_values(desk.progress)},
+           {"may_play", desk.playing > 0},
+           {"opponents", opponents},
+           {"friendlies", latest_first(friendlies_values(desk), shown_friendlies)},
+           {"legs", latest_first(legs, shown_legs)},
+           {"has_legs", !legs.empty()},
+           {"team", desk.team}}));
 }
 
 }  // namespace mirocup::league

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "record/json_reader.hpp"
+#include "tournaments/handin/portal_league.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,11 +16,9 @@ namespace mirocup::league {
 using Json = nlohmann::ordered_json;
 using record::text_in;
 
-// Returns a time of a book, "2026-11-25T01:02:03Z", in the league's time zone.
-using TimeInWords = std::function<std::string(const std::string& utc)>;
-
 // The content of a team's private page.
 struct TeamDesk {
+  PortalLeague& league;
   std::string team;
   Json entries;                        // entry_report() of entries, the latest first
   Json older;                          // Entries::reports()
@@ -35,8 +33,6 @@ struct TeamDesk {
   std::string deadline;                // until when the team may hand in, UTC; "": no such time
   bool is_late = false;                // that time is past
   std::string digest;                  // HTML: the digest of the last night; "": none
-  TimeInWords time_in_words;
-  std::function<std::string(const std::string& team)> shown_name;
 };
 
 // Returns a page with this content, in the design of all pages. `root` is the way from the page's
@@ -54,7 +50,7 @@ std::string team_desk_page(const TeamDesk& desk);
 
 // The page of one entry: its answer and the results of `mirocup check`, from entry_report(). The
 // links of the staff name the team.
-std::string entry_page(const Json& entry, const TimeInWords& time_in_words, const std::string& root,
+std::string entry_page(const Json& entry, PortalLeague& league, const std::string& root,
                        bool is_for_staff);
 
 }  // namespace mirocup::league

@@ -19,30 +19,30 @@ namespace {
 
 using namespace mirocup;
 
+struct ServedLeague final : league::PortalLeague {
+  league::HandInTerms hand_in_terms(const std::string&, const std::string&) override { return {}; }
+  std::optional<std::string> replay_of(const std::string&, const record::Whose&,
+                                       const std::string&) override {
+    return "replay";
+  }
+  std::map<std::string, int> booked_entries() override { return {{"alpha", 1}, {"beta", 1}}; }
+};
+
 // The desk of a league, with a team that a proxy on this host may name: so inputs reach each of its
 // routes. What they hand in is never checked.
 league::Portal& desk() {
   static system::Disk disk;
   static const test_support::TemporaryFolder folder;
+  static ServedLeague served;
   static const auto portal = [] {
     league::PortalOptions options;
     options.team_header = "x-team";
-    options.terms = [](const std::string&, const std::string&) { return league::HandInTerms(); };
-    options.legs = [](league::Viewer, const std::string&) { return std::vector<league::OwnLeg>(); };
-    options.friendlies = {
-        .teams =
-            [] {
-              return std::map<std::string, int>{{"alpha", 1}, {"beta", 1}};
-            },
-        .neighbours = [](const std::string&) { return std::vector<std::string>(); },
-        .house = {"striker"},
-        .replay = [](const std::string&, const auto&,
-                     const std::string&) { return std::optional<std::string>("replay"); }};
+    options.house = {"striker"};
     options.now = [] { return std::int64_t{1'795'000'000}; };
     const league::Folder place{folder / "."};
     (void)disk.write(place.config(), league::print_league_file({}));
     if (auto book = league::Book::open(disk, place)) (void)book->give("alpha", "library");
-    return league::Portal::open(disk, place, std::move(options), nullptr);
+    return league::Portal::open(disk, place, served, std::move(options), nullptr);
   }();
   if (!portal) {
     std::fprintf(stderr, "%s\n", portal.error().what.c_str());

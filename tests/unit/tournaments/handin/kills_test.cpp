@@ -52,7 +52,7 @@ class DeadlyDisk final : public system::Disk {
   Moment moment_;
 };
 
-class Kills : public testing::Test {
+class Kills : public testing::Test, public PortalLeague {
  protected:
   Kills() {
     TokenList list;
@@ -66,18 +66,17 @@ class Kills : public testing::Test {
     EXPECT_TRUE(league && start_league(disk_, *league));
   }
 
+  HandInTerms hand_in_terms(const std::string& team, const std::string&) override {
+    return {.is_late = team == "gamma"};
+  }
+  std::map<std::string, int> booked_entries() override { return {{"beta", 0}}; }
+  std::vector<std::string> neighbours_of(const std::string&) override { return {"beta"}; }
+
   std::unique_ptr<Portal> open(system::Files& disk) {
     PortalOptions options;
     options.now = [this] { return now_; };
-    options.terms = [](const std::string& team, const std::string&) {
-      return HandInTerms{.is_late = team == "gamma"};
-    };
-    options.friendlies.teams = [] { return std::map<std::string, int>{{"beta", 0}}; };
-    options.friendlies.neighbours = [](const std::string&) {
-      return std::vector{std::string("beta")};
-    };
-    options.friendlies.house = {"keeper", "striker"};
-    auto portal = Portal::open(disk, folder_, std::move(options), nullptr);
+    options.house = {"keeper", "striker"};
+    auto portal = Portal::open(disk, folder_, *this, std::move(options), nullptr);
     if (!portal) ADD_FAILURE() << portal.error().what;
     return portal ? std::move(*portal) : nullptr;
   }

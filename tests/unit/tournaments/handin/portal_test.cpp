@@ -44,7 +44,7 @@ std::string names_of(const record::Whose& whose) {
   return std::string(whose[0] ? ", blue's thoughts" : "") + (whose[1] ? ", yellow's thoughts" : "");
 }
 
-class Desk : public testing::Test {
+class Desk : public testing::Test, public PortalLeague {
  protected:
   Desk() {
     TokenList list;
@@ -73,28 +73,30 @@ class Desk : public testing::Test {
     portal_.reset();
     PortalOptions options;
     options.now = [this] { return now_; };
-    options.legs = [this](Viewer viewer, const std::string& team) {
-      viewers_.insert(viewer);
-      return team == "alpha" ? legs_ : std::vector<OwnLeg>();
-    };
-    options.has_written = [this] { ++writes_; };
-    options.time_in_words = [](const std::string& utc) { return "<local> " + utc; };
-    options.friendlies = {
-        .teams = [this] { return entries_; },
-        .neighbours = [this](const std::string&) { return neighbours_; },
-        .house = {"keeper", "striker"},
-        .has_drills = true,
-        .replay = [](const std::string&, const record::Whose& whose,
-                     const std::string&) { return std::optional("the replay" + names_of(whose)); }};
-    options.replay = [](const std::string& name, const record::Whose& whose,
-                        const std::string& links) {
-      return std::optional("replay of " + name + names_of(whose) + links);
-    };
-    options.terms = [this](const std::string&, const std::string&) { return terms_; };
-    auto portal = Portal::open(disk_, folder_, std::move(options), nullptr);
+    options.house = {"keeper", "striker"};
+    auto portal = Portal::open(disk_, folder_, *this, std::move(options), nullptr);
     ASSERT_TRUE(test_support::is_ok(portal));
     portal_ = std::move(*portal);
   }
+
+  HandInTerms hand_in_terms(const std::string&, const std::string&) override { return terms_; }
+  std::vector<OwnLeg> legs_of(Viewer viewer, const std::string& team) override {
+    viewers_.insert(viewer);
+    return team == "alpha" ? legs_ : std::vector<OwnLeg>();
+  }
+  std::optional<std::string> own_replay(const std::string& name, const record::Whose& whose,
+                                        const std::string& links) override {
+    return "replay of " + name + names_of(whose) + links;
+  }
+  std::optional<std::string> replay_of(const std::string&, const record::Whose& whose,
+                                       const std::string&) override {
+    return "the replay" + names_of(whose);
+  }
+  std::string time_in_words(const std::string& utc) override { return "<local> " + utc; }
+  std::map<std::string, int> booked_entries() override { return entries_; }
+  std::vector<std::string> neighbours_of(const std::string&) override { return neighbours_; }
+  bool has_drills() const override { return true; }
+  void note_own_write() override { ++writes_; }
 
   web::Reply ask(web::Request request, const std::string& body = "") {
     is_body_read_ = false;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::int64_t moment = 1'796'061'600;  // 2026-11-30T18:00:00Z
 
-class StaffPage : public testing::Test {
+class StaffPage : public testing::Test, public PortalLeague {
  protected:
   StaffPage() {
     LeagueFile file = league_file_of({"alpha", "beta"}, {}, "submitted");
@@ -35,13 +35,13 @@ class StaffPage : public testing::Test {
     tutor_ = list.add_for(Role::tutor, "", utc_text(moment), "");
     assistant_ = list.add_for(Role::assistant, "A. Berg", utc_text(moment), "");
     EXPECT_TRUE(write_tokens(disk_, folder_, list));
-    PortalOptions options;
-    options.now = [] { return moment; };
-    options.legs = [this](Viewer, const std::string& team) {
-      return team == "alpha" ? legs_ : std::vector<OwnLeg>();
-    };
-    options.terms = [](const std::string&, const std::string&) { return HandInTerms(); };
-    portal_ = std::move(*Portal::open(disk_, folder_, std::move(options), nullptr));
+    portal_ =
+        std::move(*Portal::open(disk_, folder_, *this, {.now = [] { return moment; }}, nullptr));
+  }
+
+  HandInTerms hand_in_terms(const std::string&, const std::string&) override { return {}; }
+  std::vector<OwnLeg> legs_of(Viewer, const std::string& team) override {
+    return team == "alpha" ? legs_ : std::vector<OwnLeg>();
   }
 
   web::Reply ask(const std::string& method, const std::string& path, const std::string& token,
