@@ -4,6 +4,7 @@
 #include "record/json_reader.hpp"
 #include "system/text.hpp"
 #include "tournaments/handin/progress.hpp"
+#include "tournaments/handin/team_desk_page.hpp"
 #include "tournaments/publish/site_file.hpp"
 #include "web/http/form.hpp"
 

@@ -20,19 +20,19 @@ using record::text_in;
 struct TeamDesk {
   PortalLeague& league;
   std::string team;
-  Json entries;                        // entry_report() of entries, the latest first
-  Json older;                          // Entries::reports()
-  Json legs;                           // own_legs_json()
-  Json friendlies;                     // FriendlyDesk::list()
-  Json progress;                       // progress_of()
-  std::vector<std::string> opponents;  // possible opponents in friendlies
-  int playing = 0;                     // the entry that plays; 0: none yet
-  bool is_pinned = false;              // that entry plays even if a later one is accepted
-  Json mark;                           // Folder::released_mark(); null: none
-  Json sheets;                         // sheets_of_team(); empty: none
-  std::string deadline;                // until when the team may hand in, UTC; "": no such time
-  bool is_late = false;                // that time is past
-  std::string digest;                  // HTML: the digest of the last night; "": none
+  Json entries = {};                        // entry_report() of entries, the latest first
+  Json older = {};                          // Entries::reports()
+  Json legs = {};                           // own_legs_json()
+  Json friendlies = {};                     // FriendlyDesk::list()
+  Json progress = {};                       // progress_of()
+  std::vector<std::string> opponents = {};  // possible opponents in friendlies
+  int playing = 0;                          // the entry that plays; 0: none yet
+  bool is_pinned = false;                   // that entry plays even if a later one is accepted
+  Json mark = {};                           // Folder::released_mark(); null: none
+  Json sheets = {};                         // sheets_of_team(); empty: none
+  std::string deadline = {};  // until when the team may hand in, UTC; "": no such time
+  bool is_late = false;       // that time is past
+  std::string digest = {};    // HTML: the digest of the last night; "": none
 };
 
 // Returns a page with this content, in the design of all pages. `root` is the way from the page's
