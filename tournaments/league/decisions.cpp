@@ -163,7 +163,10 @@ bool is_of_person(const Event& event) {
   if (const auto* voided = std::get_if<LegVoided>(&event))
     return voided->cause == VoidCause::ruling;
   if (const auto* paused = std::get_if<Paused>(&event)) return !paused->is_by_program;
-  return std::visit([](const auto& e) { return requires { e.signature; }; }, event);
+  return std::holds_alternative<Ruled>(event) || std::holds_alternative<Withdrawn>(event) ||
+         std::holds_alternative<Resumed>(event) || std::holds_alternative<Frozen>(event) ||
+         std::holds_alternative<Extended>(event) || std::holds_alternative<Closed>(event) ||
+         std::holds_alternative<Released>(event) || std::holds_alternative<Undone>(event);
 }
 
 void note_decision(LeagueState& state, const Event& event, int line) {
