@@ -9,42 +9,18 @@
 
 namespace mirocup::strategy::math {
 
-inline double sin(double x) {
-  return mirocup_sin(x);
-}
-inline double cos(double x) {
-  return mirocup_cos(x);
-}
-inline double tan(double x) {
-  return mirocup_tan(x);
-}
-inline double asin(double x) {
-  return mirocup_asin(x);
-}
-inline double acos(double x) {
-  return mirocup_acos(x);
-}
-inline double atan(double x) {
-  return mirocup_atan(x);
-}
-inline double atan2(double y, double x) {
-  return mirocup_atan2(y, x);
-}
-inline double hypot(double x, double y) {
-  return mirocup_hypot(x, y);
-}
-inline double exp(double x) {
-  return mirocup_exp(x);
-}
-inline double expm1(double x) {
-  return mirocup_expm1(x);
-}
-inline double log(double x) {
-  return mirocup_log(x);
-}
-inline double log1p(double x) {
-  return mirocup_log1p(x);
-}
+inline constexpr auto& sin = mirocup_sin;
+inline constexpr auto& cos = mirocup_cos;
+inline constexpr auto& tan = mirocup_tan;
+inline constexpr auto& asin = mirocup_asin;
+inline constexpr auto& acos = mirocup_acos;
+inline constexpr auto& atan = mirocup_atan;
+inline constexpr auto& atan2 = mirocup_atan2;
+inline constexpr auto& hypot = mirocup_hypot;
+inline constexpr auto& exp = mirocup_exp;
+inline constexpr auto& expm1 = mirocup_expm1;
+inline constexpr auto& log = mirocup_log;
+inline constexpr auto& log1p = mirocup_log1p;
 
 // Like std::min(), std::max() and std::clamp() of doubles, but without <algorithm>, which is slow
 // to compile.
