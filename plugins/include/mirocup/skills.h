@@ -157,7 +157,7 @@ mirocup_wheels mirocup_kick_to(const mirocup_setup* setup, const mirocup_observa
                                double pace); /* 1.5 */
 /* True if the ball is still on the spot of your own kick-off. It has to go backwards first. */
 int32_t mirocup_must_kick_off(const mirocup_observation* now);
-/* Takes a kick-off: rolls the ball straight back. Only for a robot on the +x side of the ball. */
+/* Takes a kick-off: drives in front of the ball, on its +x side, and rolls it back. */
 mirocup_wheels mirocup_kick_off(const mirocup_setup* setup, const mirocup_robot* robot);
 /* Returns the y of the middle of the own goal, as the ball sees it, m. */
 double mirocup_middle_of_goal_view(const mirocup_setup* setup, mirocup_point ball);

@@ -92,16 +92,36 @@ inline bool must_kick_off(const Observation& now) {
          math::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
-// Takes a kick-off: rolls the ball straight back to the team-mates. Only for a robot that stands on
-// the +x side of the ball, as robot 1 does at a kick-off: from behind, it would play the ball
-// forwards, which is a foul. If no robot touches it, the ball stops before the own goal line. A
-// ball that stays near the centre would go to the opponents: their kicker waits on the side of the
-// ball from which it can shoot, while the taker must first go round the ball.
+// Takes a kick-off: rolls the ball back to the team-mates, as the law wants it. A robot that is not
+// in front of the ball, on its +x side, first drives round it. If no robot touches the rolling ball,
+// it stops before the own goal line. A ball that stays near the centre would go to the opponents:
+// their kicker waits on the side of the ball from which it can shoot, while the taker must first go
+// round the ball. Rules without a limit for a held ball (vsss, simurosot) let the kick-off go
+// anywhere: there the robot drives through the ball from any place.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
-  // Drives through the ball, and fast, because the opponents drive at the ball.
-  const double near = setup.robot_side + 0.025;                     // m
-  const double pace = length(position(robot)) > near ? 0.8 : 0.28;  // m/s
-  return drive_to(setup, robot, -0.1 * unit(position(robot)), pace, pace);
+  const Point out = unit(position(robot));
+  const double distance = length(position(robot));
+  const double near = setup.robot_side + 0.025;  // m
+  const double away = dot(out, {math::cos(robot.heading), math::sin(robot.heading)});
+  // How well robot, ball and home must be in line, as a cosine. The face of a robot looks at most 45
+  // degrees past the ball. Only a robot that is pushing the ball is nearer than the first limit.
+  const double touching = setup.robot_side / 2.0 + setup.ball_radius;
+  const double in_line = distance < touching ? 0.0 : distance < near ? 0.7 : 0.9;
+  const bool is_free = std::isinf(setup.time_limit_s[MIROCUP_KEEPER_HOLD]);
+  if (is_free || (out.x > in_line && std::abs(away) > in_line)) {
+    // Drives through the ball, and fast, because the opponents drive at the ball.
+    const double pace = distance > near ? 0.8 : 0.28;  // m/s
+    return drive_to(setup, robot, -0.1 * out, pace, pace);
+  }
+  if (out.x > in_line) return turn_to(setup, robot, math::atan2(-out.y, -out.x));
+  // A robot that turned beside the ball would touch it.
+  if (distance < near - 0.02) return wheels_for(setup, away < 0.0 ? -0.5 : 0.5, 0.0);
+  const Point round{out.x + 1.7 * std::abs(out.y), out.y - std::copysign(1.7, out.y) * out.x};
+  const Point to = near * round - position(robot);
+  const double error = wrapped(math::atan2(to.y, to.x) - robot.heading);
+  // Beside the robot, where it could go either way, it would otherwise stay for ever.
+  const double forward = math::cos(error);
+  return wheels_for(setup, 0.6 * forward, 9.0 * (forward < -0.3 ? wrapped(error + pi) : error));
 }
 
 // Returns the y, m, of the place on the own goal line from which a keeper covers the goal: the

@@ -176,5 +176,26 @@ TEST(KeepGoal, PushesABallAtTheEndWallOutwards) {
   }
 }
 
+// Catches a kick-off that plays the ball forwards, which is a foul, from behind the ball or beside
+// it, and a robot that stays beside its way round the ball, or is late. A law that is off binds no
+// robot.
+TEST(KickOff, RollsTheBallHomeInTimeFromAnyPlace) {
+  for (const RobotLeague league : {RobotLeague::small, RobotLeague::middle}) {
+    for (int start = 0; start < 6 * 6 * 5; ++start) {
+      test_support::SkillField field(league);
+      const Point at{0.12 * (start % 6) - 0.3, 0.12 * (start / 6 % 6) - 0.31};
+      if (length(at) < 0.08) continue;
+      field.put_ball({0.0, 0.0});
+      field.put_robot(at, 1.3 * (start / 36));
+      for (int tick = 0; tick < 150 && length(field.ball()) < 0.05; ++tick)
+        field.tick_later(kick_off(field.setup(), field.robot()));
+      EXPECT_LT(field.ball().x, 0.0) << at.x << ", " << at.y << ", " << start;
+    }
+  }
+  mirocup_setup setup = test_support::SkillField().setup();
+  setup.time_limit_s[MIROCUP_KEEPER_HOLD] = std::numeric_limits<double>::infinity();
+  EXPECT_GT(kick_off(setup, {-0.08, 0.0, 0.0, 0.0, 0.0, 0.0}).left, 0.0);
+}
+
 }  // namespace
 }  // namespace mirocup::strategy
