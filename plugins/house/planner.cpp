@@ -69,6 +69,7 @@ class Planner : public Team {
       if (effort_ > 0.0) choose(then, start);
     } else {
       plan_ = usual_plan(then);
+      if (must_kick_off(now)) plan_.attacker = 1;  // the others leave the ball to it
     }
     command = act(then, plan_, 0);
     command.wheels[0] = guard_goal(setup(), then, then.own[0]);
