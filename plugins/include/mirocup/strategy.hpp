@@ -110,7 +110,7 @@ inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   const bool is_free = std::isinf(setup.time_limit_s[MIROCUP_KEEPER_HOLD]);
   if (is_free || (out.x > in_line && std::abs(away) > in_line)) {
     // Drives through the ball, and fast, because the opponents drive at the ball.
-    const double pace = distance > near ? 0.8 : 0.28;  // m/s
+    const double pace = distance < near ? 0.28 : is_free ? 0.8 : 0.4;  // m/s
     return drive_to(setup, robot, -0.1 * out, pace, pace);
   }
   if (out.x > in_line) return turn_to(setup, robot, math::atan2(-out.y, -out.x));
