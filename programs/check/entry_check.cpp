@@ -32,8 +32,8 @@ std::string place_of(const TrialLeg& leg, const TrialTerms& terms) {
   const int line = leg.fault->line;
   const std::string place = line > 0 ? "line " + std::to_string(line) + " of the file, " : "";
   if (leg.start_seconds == 0.0) return place + "before the first tick";
-  const char* const colour = to_string(terms.team).data();
-  return place + system::formatted("tick %u of a leg as %s", leg.ticks(), colour);
+  return place + "tick " + std::to_string(leg.ticks()) + " of a leg as " +
+         std::string(to_string(terms.team));
 }
 
 // Compares an entry that has passed with the house teams.
@@ -42,9 +42,7 @@ Result<void> judge_strength(Examination& e) {
   for (std::size_t i = 0; e.terms.ladder && i < 2 * ladder.size(); ++i) {
     MIROCUP_TRY(const auto opponent,
                 plugins::SealedEntry::open(system::house_team(ladder[i / 2].team)));
-    TrialTerms terms{e.setup, &opponent, both_teams[i % 2]};
-    terms.max_ticks = ladder_ticks;
-    MIROCUP_TRY(auto leg, play(e, terms));
+    MIROCUP_TRY(auto leg, play(e, {e.setup, &opponent, both_teams[i % 2], ladder_ticks}));
     leg.story.opponent = ladder[i / 2].team;
     e.report.ladder.push_back(leg.story);
     legs.push_back(std::move(leg.story));

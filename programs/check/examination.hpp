@@ -72,9 +72,7 @@ struct Step {
   Result<Check> (*run)(Examination&);
 };
 // All checks, in the order in which they run.
-extern const std::array<Step, 4> file_checks;
-extern const std::array<Step, 6> play_checks;
-extern const std::array<Step, 2> repeat_checks;
+extern const std::vector<Step> file_checks, play_checks, repeat_checks;
 
 // Results of a check. A failure has its place in the leg or the file, if there is one.
 Check passed(std::string finding);

@@ -66,9 +66,9 @@ Result<Check> find_libraries(Examination& e) {
 
 }  // namespace
 
-const std::array<Step, 4> file_checks{{{"file", open_file},
-                                       {"complete", find_kind},
-                                       {"entry", find_entry},
-                                       {"libraries", find_libraries}}};
+const std::vector<Step> file_checks{{"file", open_file},
+                                    {"complete", find_kind},
+                                    {"entry", find_entry},
+                                    {"libraries", find_libraries}};
 
 }  // namespace mirocup::app

@@ -35,8 +35,7 @@ Result<Check> load(Examination& e) {
   MIROCUP_TRY(e.report.isolation, plugins::strongest_isolation());
   MIROCUP_TRY(e.idle, plugins::SealedEntry::open(system::house_team("idle")));
   MIROCUP_TRY(e.striker, plugins::SealedEntry::open(system::house_team("striker")));
-  TrialTerms terms{e.setup, &*e.idle};
-  terms.max_ticks = 0;
+  const TrialTerms terms{e.setup, &*e.idle, Team::blue, 0};
   MIROCUP_TRY(const auto leg, play(e, terms));
   return judge(e, leg, terms,
                system::formatted("loads and creates its team in %.3f ms", 1e3 * leg.start_seconds));
@@ -129,8 +128,7 @@ Result<Check> play_knockout(Examination& e) {
   TrialTerms terms = knockout_terms(e);
   terms.max_seconds = e.plan.share_of(1 + repeated_legs);
   MIROCUP_TRY(e.knockout, play(e, terms));
-  TrialTerms rare{e.setup, &*e.idle};
-  rare.max_ticks = restart_ticks;
+  TrialTerms rare{e.setup, &*e.idle, Team::blue, restart_ticks};
   const double tick = 1e-3 * e.report.mean_tick_ms;
   for (const match::Start& start : rare_moments(e)) {
     if (e.knockout.fault || !e.plan.has_room_for(restart_ticks * tick, repeated_legs, tick)) break;
@@ -147,11 +145,11 @@ Result<Check> play_knockout(Examination& e) {
 
 }  // namespace
 
-const std::array<Step, 6> play_checks{{{"loads", load},
-                                       {"ticks", answer},
-                                       {"leg_blue", play_whole_leg<Team::blue>},
-                                       {"leg_yellow", play_whole_leg<Team::yellow>},
-                                       {"budget", judge_time},
-                                       {"knockout", play_knockout}}};
+const std::vector<Step> play_checks{{"loads", load},
+                                    {"ticks", answer},
+                                    {"leg_blue", play_whole_leg<Team::blue>},
+                                    {"leg_yellow", play_whole_leg<Team::yellow>},
+                                    {"budget", judge_time},
+                                    {"knockout", play_knockout}};
 
 }  // namespace mirocup::app

@@ -43,14 +43,10 @@ constexpr double few_goals = 3.0;  // own goals or fouls
 // is_slow if the wheels turn slowly.
 bool note_commands(Examination& e, const LegStory& leg, bool& is_slow) {
   const int robots = field::make_field(e.setup.league).robots_per_team;
-  const auto is_silent = [&leg](std::size_t side) {
-    return std::ranges::all_of(leg.turned,
-                               [side](const auto& turned) { return turned[side] == 0; });
-  };
-  if (is_silent(0) || is_silent(1)) {
-    note(e, !is_silent(0) ? "silent_right" : !is_silent(1) ? "silent_left" : "never_moved");
-    return true;
-  }
+  int lefts = 0, rights = 0;
+  for (const auto& turned : leg.turned) lefts += turned[0], rights += turned[1];
+  if (lefts == 0 || rights == 0)
+    return note(e, lefts > 0 ? "silent_right" : rights > 0 ? "silent_left" : "never_moved"), true;
   int told = 0, told_fast = 0;
   std::vector<Note> silent;
   for (int i = 0; i < robots; ++i) {
@@ -120,9 +116,9 @@ Result<void> note_play(Examination& e) {
     if (!is_weak) e.report.notes.push_back(std::move(cause));
   }
   const auto& [own, opponents] = worst.score;
-  const std::string colour(to_string(worst.team));
   if (is_weak)
-    note(e, "weak", system::formatted("%d : %d as %s", own, opponents, colour.c_str()), causes);
+    note(e, "weak",
+         system::formatted("%d : %d as %s", own, opponents, to_string(worst.team).data()), causes);
   return {};
 }
 

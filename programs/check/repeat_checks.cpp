@@ -38,10 +38,9 @@ constexpr plugins::Surroundings all_other{
 // Returns the first tick in which the two legs differ; the hashes differ if the team asks for other
 // poses at a restart.
 std::optional<std::uint32_t> first_difference(const TrialLeg& one, const TrialLeg& other) {
-  for (std::uint32_t i = 0; i < std::min(one.ticks(), other.ticks()); ++i) {
+  for (std::uint32_t i = 0; i < std::min(one.ticks(), other.ticks()); ++i)
     if (one.log[i].commands != other.log[i].commands || one.log[i].hash != other.log[i].hash)
       return i;
-  }
   return std::nullopt;
 }
 
@@ -61,10 +60,8 @@ Result<std::string> cause_of_difference(Examination& e, const TrialTerms& terms,
   if (first_difference(first, plain)) {
     MIROCUP_TRY(const auto counted, leg_in({.clocks = counting_clocks}, false));
     MIROCUP_TRY(const auto counted_again, leg_in({.clocks = counting_clocks}, false));
-    const bool is_clock = !first_difference(counted, counted_again);
-    return sentence(is_clock               ? "depends clocks"
-                    : e.entry->is_python() ? "depends python_chance"
-                                           : "depends chance");
+    const char* const chance = e.entry->is_python() ? "depends python_chance" : "depends chance";
+    return sentence(first_difference(counted, counted_again) ? chance : "depends clocks");
   }
 
   const std::pair<plugins::Surroundings, const char*> changes[] = {
@@ -122,10 +119,9 @@ Result<Check> repeat_elsewhere(Examination& e) {
     MIROCUP_TRY(const Check check, repeat_leg(e, terms, fill, e.knockout));
     if (check.passed == false || e.difference) return check;
   }
-  TrialTerms terms{e.setup, &*e.striker};
-  terms.max_ticks = max_repeated_ticks;
-  terms.max_seconds = e.plan.share_of(1);
-  return repeat_leg(e, terms, other_fill, e.whole[0]);
+  const double share = e.plan.share_of(1);
+  return repeat_leg(e, {e.setup, &*e.striker, Team::blue, max_repeated_ticks, share}, other_fill,
+                    e.whole[0]);
 }
 
 Result<Check> judge_repetition(Examination& e) {
@@ -134,7 +130,7 @@ Result<Check> judge_repetition(Examination& e) {
 
 }  // namespace
 
-const std::array<Step, 2> repeat_checks{
-    {{"memory", repeat_elsewhere}, {"repeatable", judge_repetition}}};
+const std::vector<Step> repeat_checks{{"memory", repeat_elsewhere},
+                                      {"repeatable", judge_repetition}};
 
 }  // namespace mirocup::app

@@ -128,19 +128,17 @@ Result<Ways> ways_to_ball(Examination& e) {
     const WayRow& best = *std::ranges::min_element(way_rows, {}, error);
     // The error if it drives to one place.
     const double of_place = error({0.0, atan2(sum.y(), sum.x()), nullptr});
-    if (error(best) > std::min(fitting, 0.5 * of_place)) {
-      found.is_away |= is_away && of_place > 2.0 * fitting;
-    } else {
-      found.is_right |= best.code == nullptr;
-      if (found.code == nullptr) found.code = best.code;
-    }
+    const bool fits = error(best) <= std::min(fitting, 0.5 * of_place);
+    found.is_away |= !fits && is_away && of_place > 2.0 * fitting;
+    found.is_right |= fits && best.code == nullptr;
+    if (fits && found.code == nullptr) found.code = best.code;
   }
   return found;
 }
 
-// True if all robots but the keeper do the same wherever the ball is after the first tick, and they
-// move.
-Result<bool> is_blind(Examination& e) {
+// Returns "blind" if all robots but the keeper do the same wherever the ball is after the first tick,
+// and they move; otherwise null.
+Result<const char*> blind_code(Examination& e) {
   std::array<TrialLeg, 2> legs;
   for (const std::size_t k : {0u, 1u}) {
     MIROCUP_TRY(legs[k], play_scene(e, {}, blind_ticks, [k](match::Observation& seen) {
@@ -150,10 +148,10 @@ Result<bool> is_blind(Examination& e) {
   bool has_moved = false;
   for (std::uint32_t tick = 0; tick < blind_ticks; ++tick) {
     const auto one = legs[0].answer(tick).wheels, other = legs[1].answer(tick).wheels;
-    if (!std::equal(one.begin() + 1, one.end(), other.begin() + 1)) return false;
+    if (!std::equal(one.begin() + 1, one.end(), other.begin() + 1)) return nullptr;
     has_moved |= std::any_of(one.begin() + 1, one.end(), [](const auto& w) { return w[0] != 0; });
   }
-  return has_moved;
+  return has_moved ? "blind" : nullptr;
 }
 
 // What the entry sees otherwise in the first tick: angles, rad, and a speed of the ball, rad/s.
@@ -239,8 +237,7 @@ Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall) {
                      : is_ticks                               ? "ticks"
                                                               : nullptr;
   if (code == nullptr && !is_at_wall) {
-    MIROCUP_TRY(const bool is_blind_team, is_blind(e));
-    if (is_blind_team) code = "blind";
+    MIROCUP_TRY(code, blind_code(e));
   }
   if (code != nullptr) note(e, code);
   return code != nullptr;
@@ -278,9 +275,8 @@ Result<bool> tell_end(Examination& e) {
                                                          {0b1100, " as yellow"},
                                                          {0b0101, " in the first half"},
                                                          {0b1010, " in the second half"}};
-  for (const auto& [bits, where] : places) {
+  for (const auto& [bits, where] : places)
     if (bits == wrong) return note(e, "own_end", where), true;
-  }
   return false;
 }
 

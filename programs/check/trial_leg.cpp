@@ -45,14 +45,6 @@ Result<Seats> start_teams(const Examination& e, const match::Leg& leg, const Tri
   return seats;
 }
 
-double own_delay() {
-  return plugins::Child::processor_delay(getpid()).value_or(0.0);
-}
-
-double own_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 }  // namespace
 
 TrialTerms knockout_terms(const Examination& e) {
@@ -64,6 +56,8 @@ TrialTerms knockout_terms(const Examination& e) {
 }
 
 Result<TrialLeg> play(Examination& e, const TrialTerms& terms) {
+  const auto own_seconds = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+  const auto own_delay = [] { return plugins::Child::processor_delay(getpid()).value_or(0.0); };
   const double own_before = own_seconds();
   const double delay_before = own_delay();
   TrialLeg played;
@@ -85,8 +79,7 @@ Result<TrialLeg> play(Examination& e, const TrialTerms& terms) {
   };
   // The controller subtracts all delay of this process, including that of the legs before.
   const auto slept = [&] {
-    const auto seconds = own.slept_seconds();
-    return seconds ? std::max(0.0, *seconds + delay_before) : 0.0;
+    return std::max(0.0, own.slept_seconds().value_or(-delay_before) + delay_before);
   };
   // All delays are subtracted, also those at the same time, because a busy machine is not the
   // entry's fault.
