@@ -203,7 +203,7 @@ class HouseTeams : public testing::TestWithParam<Pair> {};
 INSTANTIATE_TEST_SUITE_P(
     Pairs, HouseTeams,
     testing::Values(Pair{"tactician", "navigator", "120", 5}, Pair{"planner", "navigator", "15", 5},
-                    Pair{"navigator", "striker", "120", 7}, Pair{"striker", "chaser", "120", 2},
+                    Pair{"navigator", "striker", "120", 5}, Pair{"striker", "chaser", "120", 2},
                     Pair{"chaser", "idle", "120", 8}),
     [](const auto& c) { return std::string(c.param.stronger) + "_" + c.param.weaker; });
 
