@@ -5,6 +5,7 @@
 #include "server/dds/nonce.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace mirocup::dds {
@@ -15,11 +16,14 @@ constexpr double hello_interval = 0.25;  // s
 constexpr double max_poll_interval = 0.02;
 
 // A server sends states many times a second, also while it waits. After `settled_silence` (s)
-// without a state, a team that has its seat takes the connection for broken, since a router may
-// have taken another port; so does a team whose host has another address now. A team that waits for
-// its seat has more patience.
+// without a state, a team that has had states in its seat takes the connection for broken, since a
+// router may have taken another port; so does a team whose host has another address now. Before the
+// first state it waits for `max_silence`: on a slow wire the connection needs longer to come about.
+// With each break the patience doubles, up to `max_silence`, because a busy server pauses, too; after
+// `calm` (s) in one connection it begins anew.
 constexpr double max_silence = 3.0;
 constexpr double settled_silence = 0.4;
+constexpr double calm = 20.0;
 
 // The client keeps to the leg in which it has its seat. Only after this many seconds without a
 // state of that leg it believes that the server was started again.
@@ -172,7 +176,9 @@ std::optional<News> TeamClient::take_state() {
     }
     if (!is_known(state)) continue;
     last_heard_at_ = WallClock::now();
+    if (seconds_since(connected_at_) > calm) breaks_ = 0;
     if (!link_.is_seated) continue;
+    link_.is_settled = true;
     const std::uint32_t heard = state.heard[index_of(request_.team)];
     if (heard != acknowledged_commands_) {
       acknowledged_commands_ = heard;
@@ -197,7 +203,9 @@ bool TeamClient::is_cut_off() const {
       seconds_since(acknowledged_at_) > max_unacknowledged_time)
     return true;
   const double silence = seconds_since(std::max(last_heard_at_, connected_at_));
-  return silence > max_silence || (silence > settled_silence && (link_.is_seated || has_moved()));
+  if (silence > max_silence) return true;
+  if (silence <= settled_silence) return false;
+  return has_moved() || (link_.is_settled && silence > std::ldexp(settled_silence, breaks_));
 }
 
 // The sockets of a domain keep the address that this host had when they were opened.
@@ -209,6 +217,7 @@ bool TeamClient::has_moved() const {
 
 void TeamClient::look_after_connection() {
   if (!left_at_ && is_cut_off()) {
+    breaks_ += link_.is_settled ? 1 : 0;
     link_ = {};
     left_at_ = WallClock::now();
   }

@@ -77,6 +77,7 @@ class TeamClient {
     std::uint64_t nonce = 0;
     std::uint64_t leg = 0;  // leg of the last Welcome; 0: no Welcome yet
     bool is_seated = false;
+    bool is_settled = false;  // a state has come since it is seated
   };
 
   explicit TeamClient(JoinRequest request) : request_(std::move(request)) {}
@@ -97,6 +98,7 @@ class TeamClient {
   Domain domain_;
   Link link_;
   WallClock::time_point connected_at_;
+  int breaks_ = 0;                                // of settled connections, since the last calm one
   std::optional<WallClock::time_point> left_at_;  // set while the client is off the network
   WallClock::time_point hello_sent_at_;
   WallClock::time_point last_heard_at_;  // when the last sample of the match came
