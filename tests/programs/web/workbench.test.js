@@ -142,7 +142,7 @@ test('in a league, from an empty page to a team that beats chaser and is handed 
   await page.selectOption('#beginning', '6 Kick-offs, stuck balls and the laws');
   await page.click('#again');
   const { result } = await expectSameLeg(page, 60, 1, 'chaser');
-  assert.deepEqual(result.score, { blue: 1, yellow: 0 });
+  assert.deepEqual(result.score, { blue: 2, yellow: 0 });
   await page.click('#hand_in');
   await told(page, 'alpha: entry 2 was accepted', 'verdict');
   assert.deepEqual(page.problems, []);
