@@ -136,8 +136,8 @@ Result<Ways> ways_to_ball(Examination& e) {
   return found;
 }
 
-// Returns "blind" if all robots but the keeper do the same wherever the ball is after the first tick,
-// and they move; otherwise null.
+// Returns "blind" if all robots but the keeper do the same wherever the ball is after the first
+// tick, and they move; otherwise null.
 Result<const char*> blind_code(Examination& e) {
   std::array<TrialLeg, 2> legs;
   for (const std::size_t k : {0u, 1u}) {

@@ -19,8 +19,8 @@ constexpr double max_poll_interval = 0.02;
 // without a state, a team that has had states in its seat takes the connection for broken, since a
 // router may have taken another port; so does a team whose host has another address now. Before the
 // first state it waits for `max_silence`: on a slow wire the connection needs longer to come about.
-// With each break the patience doubles, up to `max_silence`, because a busy server pauses, too; after
-// `calm` (s) in one connection it begins anew.
+// With each break the patience doubles, up to `max_silence`, because a busy server pauses, too;
+// after `calm` (s) in one connection it begins anew.
 constexpr double max_silence = 3.0;
 constexpr double settled_silence = 0.4;
 constexpr double calm = 20.0;

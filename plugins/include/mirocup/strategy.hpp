@@ -92,19 +92,20 @@ inline bool must_kick_off(const Observation& now) {
          math::hypot(now.ball_x, now.ball_y) < 0.055;
 }
 
-// Takes a kick-off: rolls the ball back to the team-mates, as the law wants it. A robot that is not
-// in front of the ball, on its +x side, first drives round it. If no robot touches the rolling ball,
-// it stops before the own goal line. A ball that stays near the centre would go to the opponents:
-// their kicker waits on the side of the ball from which it can shoot, while the taker must first go
-// round the ball. Rules without a limit for a held ball (vsss, simurosot) let the kick-off go
-// anywhere: there the robot drives through the ball from any place.
+// Takes a kick-off: rolls the ball back to the team-mates, as the law wants it. A robot that is
+// not in front of the ball, on its +x side, first drives round it. Under `hall` the ball of a
+// placed robot stops before the own goal line if nobody touches it. A ball that stays near the
+// centre would go to the opponents: their kicker waits on the side of the ball from which it can
+// shoot, while the taker must first go round the ball. Rules without a limit for a held ball
+// (vsss, simurosot) let the kick-off go anywhere: there the robot drives through the ball from any
+// place.
 inline Wheels kick_off(const Setup& setup, const Robot& robot) {
   const Point out = unit(position(robot));
   const double distance = length(position(robot));
   const double near = setup.robot_side + 0.025;  // m
   const double away = dot(out, {math::cos(robot.heading), math::sin(robot.heading)});
-  // How well robot, ball and home must be in line, as a cosine. The face of a robot looks at most 45
-  // degrees past the ball. Only a robot that is pushing the ball is nearer than the first limit.
+  // How well robot, ball and home must be in line, as a cosine. The face of a robot looks at most
+  // 45 degrees past the ball. Only a robot that is pushing the ball is nearer than the first limit.
   const double touching = setup.robot_side / 2.0 + setup.ball_radius;
   const double in_line = distance < touching ? 0.0 : distance < near ? 0.7 : 0.9;
   const bool is_free = std::isinf(setup.time_limit_s[MIROCUP_KEEPER_HOLD]);
