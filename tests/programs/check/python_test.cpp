@@ -84,7 +84,8 @@ TEST_F(PythonTeams, AreAcceptedWithTheirParametersAndPlaces) {
                            "    def __init__(self, setup):\n"
                            "        super().__init__(setup)\n"
                            "        print('speed', self.parameter('speed', 4.5), setup.robots)\n"
-                           "    def decide(self, now): return [(5, 5), None]\n"
+                           "    def decide(self, now):\n"
+                           "        return [(5, 5), None]\n"
                            "    def place(self, now, placement):\n"
                            "        placement.robots[2] = (-0.3, 0.2, 0.0)\n"),
       0);
@@ -135,12 +136,15 @@ TEST_F(PythonTeams, AreRefusedWithTheLineAndAnAdvice) {
 // Allowed, and hardly meant.
 TEST_F(PythonTeams, AreWarned) {
   const PythonJson report =
-      check(import + std::string("import random; chance = random.random()\n"
+      check(import + std::string("import random\n"
+                                 "chance = random.random()\n"
                                  "class A(Team):\n"
                                  "    def decide(self, now):\n"
                                  "        self.parameter('wait time', 1.0)\n"
-                                 "        for i in range(300): self.draw_line('plan', 255, "
-                                 "(0, 0), (1, 1)); self.parameter(f'p{i}', 1.0)\n"
+                                 "        for i in range(300):\n"
+                                 "            self.draw_line('plan', 255, (0, 0), (1, 1))\n"
+                                 "        for i in range(40):\n"
+                                 "            self.parameter(f'p{i}', 1.0)\n"
                                  "        wheels = [(chance, 0.5), (0.4, 0.5)]\n"
                                  "        keep_laws(self.setup, now, wheels)\n"
                                  "        return wheels if now.own[-1].x < 9 else []\n"

@@ -202,8 +202,8 @@ struct Pair {
 class HouseTeams : public testing::TestWithParam<Pair> {};
 INSTANTIATE_TEST_SUITE_P(
     Pairs, HouseTeams,
-    testing::Values(Pair{"tactician", "navigator", "120", 3}, Pair{"planner", "navigator", "15", 5},
-                    Pair{"navigator", "striker", "120", 5}, Pair{"striker", "chaser", "120", 2},
+    testing::Values(Pair{"tactician", "navigator", "120", 4}, Pair{"planner", "navigator", "15", 5},
+                    Pair{"navigator", "striker", "120", 6}, Pair{"striker", "chaser", "120", 2},
                     Pair{"chaser", "idle", "120", 8}),
     [](const auto& c) { return std::string(c.param.stronger) + "_" + c.param.weaker; });
 
