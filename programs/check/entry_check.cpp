@@ -7,7 +7,6 @@
 #include "system/locations.hpp"
 #include "system/memory.hpp"
 #include "system/printable.hpp"
-#include "system/text.hpp"
 
 #include <algorithm>
 #include <set>

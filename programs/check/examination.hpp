@@ -91,8 +91,9 @@ Result<void> note_play(Examination& e);
 Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall);
 Result<bool> tell_end(Examination& e);
 
-// Returns the terms of the knock-out leg, which has every phase of a match.
-TrialTerms knockout_terms(const Examination& e);
+// Returns the terms of the knock-out leg, which has every phase of a match. It and the legs that
+// follow, so many `legs`, share the time that is left.
+TrialTerms knockout_terms(const Examination& e, int legs);
 inline constexpr int repeated_legs = 2;  // the leg as blue, and the knock-out leg
 
 // Plays the leg, or as much of it as the terms allow, and counts its use.

@@ -8,7 +8,6 @@
 #include "system/text.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace mirocup::app {
 
@@ -125,8 +124,7 @@ std::vector<match::Start> rare_moments(const Examination& e) {
 // Plays the knock-out leg, and restart_ticks from each rare moment as blue against idle, as long as
 // time for the legs that are repeated is left.
 Result<Check> play_knockout(Examination& e) {
-  TrialTerms terms = knockout_terms(e);
-  terms.max_seconds = e.plan.share_of(1 + repeated_legs);
+  const TrialTerms terms = knockout_terms(e, 1 + repeated_legs);
   MIROCUP_TRY(e.knockout, play(e, terms));
   TrialTerms rare{e.setup, &*e.idle, Team::blue, restart_ticks};
   const double tick = 1e-3 * e.report.mean_tick_ms;

@@ -43,10 +43,12 @@ constexpr double few_goals = 3.0;  // own goals or fouls
 // is_slow if the wheels turn slowly.
 bool note_commands(Examination& e, const LegStory& leg, bool& is_slow) {
   const int robots = field::make_field(e.setup.league).robots_per_team;
-  int lefts = 0, rights = 0;
-  for (const auto& turned : leg.turned) lefts += turned[0], rights += turned[1];
-  if (lefts == 0 || rights == 0)
-    return note(e, lefts > 0 ? "silent_right" : rights > 0 ? "silent_left" : "never_moved"), true;
+  const auto is_silent = [&leg](std::size_t side) {
+    return std::ranges::all_of(leg.turned, [side](const auto& one) { return one[side] == 0; });
+  };
+  const bool any_left = !is_silent(0), any_right = !is_silent(1);
+  if (!any_left || !any_right)
+    return note(e, any_left ? "silent_right" : any_right ? "silent_left" : "never_moved"), true;
   int told = 0, told_fast = 0;
   std::vector<Note> silent;
   for (int i = 0; i < robots; ++i) {

@@ -114,9 +114,8 @@ Result<Check> repeat_elsewhere(Examination& e) {
     // The further fills are left out for a team that loads too slowly.
     const double tick = 1e-3 * e.report.mean_tick_ms;
     if (fill != fills_of_short_legs[0] && !e.plan.has_room_for(0.0, 1, tick)) continue;
-    TrialTerms terms = knockout_terms(e);
-    terms.max_seconds = e.plan.share_of(repeated_legs);
-    MIROCUP_TRY(const Check check, repeat_leg(e, terms, fill, e.knockout));
+    MIROCUP_TRY(const Check check,
+                repeat_leg(e, knockout_terms(e, repeated_legs), fill, e.knockout));
     if (check.passed == false || e.difference) return check;
   }
   const double share = e.plan.share_of(1);

@@ -136,9 +136,9 @@ Result<Ways> ways_to_ball(Examination& e) {
   return found;
 }
 
-// Returns "blind" if all robots but the keeper do the same wherever the ball is after the first
-// tick, and they move; otherwise null.
-Result<const char*> blind_code(Examination& e) {
+// True if all robots but the keeper do the same wherever the ball is after the first tick, and they
+// move.
+Result<bool> is_blind(Examination& e) {
   std::array<TrialLeg, 2> legs;
   for (const std::size_t k : {0u, 1u}) {
     MIROCUP_TRY(legs[k], play_scene(e, {}, blind_ticks, [k](match::Observation& seen) {
@@ -148,10 +148,10 @@ Result<const char*> blind_code(Examination& e) {
   bool has_moved = false;
   for (std::uint32_t tick = 0; tick < blind_ticks; ++tick) {
     const auto one = legs[0].answer(tick).wheels, other = legs[1].answer(tick).wheels;
-    if (!std::equal(one.begin() + 1, one.end(), other.begin() + 1)) return nullptr;
+    if (!std::equal(one.begin() + 1, one.end(), other.begin() + 1)) return false;
     has_moved |= std::any_of(one.begin() + 1, one.end(), [](const auto& w) { return w[0] != 0; });
   }
-  return has_moved ? "blind" : nullptr;
+  return has_moved;
 }
 
 // What the entry sees otherwise in the first tick: angles, rad, and a speed of the ball, rad/s.
@@ -237,7 +237,8 @@ Result<bool> tell_steering(Examination& e, bool is_slow, bool is_at_wall) {
                      : is_ticks                               ? "ticks"
                                                               : nullptr;
   if (code == nullptr && !is_at_wall) {
-    MIROCUP_TRY(code, blind_code(e));
+    MIROCUP_TRY(const bool is_blind_team, is_blind(e));
+    if (is_blind_team) code = "blind";
   }
   if (code != nullptr) note(e, code);
   return code != nullptr;

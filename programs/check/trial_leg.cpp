@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // One leg that an entry plays in the sandbox so that `mirocup check` can look at it.
-#include "core/base/math.hpp"
 #include "plugins/host/host_program.hpp"
 #include "programs/check/examination.hpp"
 #include "server/pace/pacer.hpp"
@@ -47,8 +46,9 @@ Result<Seats> start_teams(const Examination& e, const match::Leg& leg, const Tri
 
 }  // namespace
 
-TrialTerms knockout_terms(const Examination& e) {
+TrialTerms knockout_terms(const Examination& e, int legs) {
   TrialTerms terms{e.setup, &*e.idle};
+  terms.max_seconds = e.plan.share_of(legs);
   terms.setup.stage = referee::Stage::knockout;
   terms.setup.rules.half_s = knockout_half;
   terms.setup.rules.golden_goal_s = knockout_golden_goal;
@@ -79,7 +79,8 @@ Result<TrialLeg> play(Examination& e, const TrialTerms& terms) {
   };
   // The controller subtracts all delay of this process, including that of the legs before.
   const auto slept = [&] {
-    return std::max(0.0, own.slept_seconds().value_or(-delay_before) + delay_before);
+    const auto seconds = own.slept_seconds();
+    return seconds ? std::max(0.0, *seconds + delay_before) : 0.0;
   };
   // All delays are subtracted, also those at the same time, because a busy machine is not the
   // entry's fault.
