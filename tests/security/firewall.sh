@@ -5,15 +5,9 @@
 # address. Catches rules that nft does not load, rules that let the flood pass, and rules that cut the team off.
 # Usage: firewall.sh BUILD; exit 77 if this system has no nft or allows no namespaces.
 set -euo pipefail
-PATH=$PATH:/usr/sbin
-if [ -z "${IN_NAMESPACE:-}" ]; then
-  command -v nft >/dev/null && command -v ip >/dev/null || { echo "skipped: needs nftables and iproute2"; exit 77; }
-  unshare --map-root-user --net nft list ruleset 2>/dev/null || { echo "skipped: needs a network namespace"; exit 77; }
-  IN_NAMESPACE=1 exec unshare --map-root-user --net "$0" "$@"
-fi
+. "$(dirname "$0")/../support/own_network.sh"
+own_network "$@"
 mirocup=$1/mirocup
-work=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
 match=("$mirocup" match --blue dds:ours --yellow "$1/house/keeper.so" --interface server --speed 1 --half 4 --record "$work/leg.json")
 
 "${match[@]}" --print-firewall >"$work/rules"
@@ -22,11 +16,9 @@ nft 'add table inet behind; add chain inet behind input { type filter hook input
      add rule inet behind input ip saddr 10.9.0.66 counter'
 
 # The other computer has the team's address, and one from which it floods the server's second address.
-unshare --net sleep 600 &
-far=$!
-until [ "$(readlink /proc/$far/ns/net)" != "$(readlink /proc/self/ns/net)" ]; do sleep 0.05; done
-on_far() { nsenter --net=/proc/$far/ns/net "$@"; }
-ip link add server type veth peer name home netns $far
+start_computer
+on_far() { at "$computer" "$@"; }
+ip link add server type veth peer name home netns "$computer"
 ip link set server up
 ip address add 10.9.0.1/24 dev server
 ip address add 10.9.1.1/32 dev server

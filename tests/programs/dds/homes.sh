@@ -6,27 +6,20 @@
 # Catches matches that share a port, and teams behind one address that get the states or seats of each other.
 # Usage: homes.sh BUILD; exit 77 if this system has no nft or allows no namespaces.
 set -euo pipefail
-PATH=$PATH:/usr/sbin
-if [ -z "${IN_NAMESPACE:-}" ]; then
-  command -v nft >/dev/null && command -v ip >/dev/null || { echo "skipped: needs nftables and iproute2"; exit 77; }
-  unshare --map-root-user --net nft list ruleset 2>/dev/null || { echo "skipped: needs a network namespace"; exit 77; }
-  IN_NAMESPACE=1 exec unshare --map-root-user --net "$0" "$@"
-fi
+. "$(dirname "$0")/../../support/own_network.sh"
+own_network "$@"
 build=$1
-work=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
 
 # on NAME COMMAND...: on the computer of this name.
-declare -A computer
-on() { nsenter --net="/proc/${computer[$1]}/ns/net" "${@:2}"; }
+declare -A keeper
+on() { at "${keeper[$1]}" "${@:2}"; }
 for name in router home campus vpn; do
-  unshare --net sleep 600 &
-  computer[$name]=$!
-  until [ "$(readlink /proc/$!/ns/net)" != "$(readlink /proc/self/ns/net)" ]; do sleep 0.05; done
+  start_computer
+  keeper[$name]=$computer
 done
 # cable TO NAME ADDRESS: from the switch of the server's network.
 cable() {
-  ip link add "to-$1" type veth peer name eth0 netns "${computer[$1]}"
+  ip link add "to-$1" type veth peer name eth0 netns "${keeper[$1]}"
   ip link set "to-$1" up master switch
   on "$1" ip link set eth0 up
   on "$1" ip address add "$2/24" dev eth0
@@ -38,7 +31,7 @@ ip address add 203.0.113.10/24 dev switch
 cable router 203.0.113.20
 cable campus 203.0.113.30
 cable vpn 203.0.113.40
-on router ip link add inside type veth peer name eth0 netns "${computer[home]}"
+on router ip link add inside type veth peer name eth0 netns "${keeper[home]}"
 on router ip link set inside up
 on router ip address add 192.168.1.1/24 dev inside
 on router sysctl -q -w net.ipv4.ip_forward=1
@@ -56,7 +49,7 @@ tunnel() {
   ip address add 203.0.113.11/32 dev switch
   (umask 077 && wg genkey >"$work/server.key" && wg genkey >"$work/team.key")
   wireguard-go -f wg-server >/dev/null 2>&1 &
-  (exec nsenter --net="/proc/${computer[vpn]}/ns/net" wireguard-go -f wg-team) >/dev/null 2>&1 &
+  (exec nsenter --net="/proc/${keeper[vpn]}/ns/net" wireguard-go -f wg-team) >/dev/null 2>&1 &
   for _ in {1..100}; do wg show wg-server >/dev/null 2>&1 && on vpn wg show wg-team >/dev/null 2>&1 && break; sleep 0.1; done
   wg set wg-server listen-port 51820 private-key "$work/server.key" peer "$(wg pubkey <"$work/team.key")" allowed-ips 10.8.0.2/32 &&
     on vpn wg set wg-team private-key "$work/team.key" peer "$(wg pubkey <"$work/server.key")" endpoint 203.0.113.11:51820 \
