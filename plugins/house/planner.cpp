@@ -64,16 +64,17 @@ class Planner : public Team {
     Observation then = now;
     show(start, then);
     rollout_.count = 0;
-    if (now.state == MIROCUP_PLAY && !must_kick_off(now)) {
+    const bool kicks_off = must_kick_off(now);
+    if (now.state == MIROCUP_PLAY && !kicks_off) {
       effort_ = std::min(effort_ + effort_per_tick_, 10.0 * effort_per_tick_);
       if (effort_ > 0.0) choose(then, start);
     } else {
       plan_ = usual_plan(then);
-      if (must_kick_off(now)) plan_.attacker = 1;  // the others leave the ball to it
+      if (kicks_off) plan_.attacker = 1;  // the others leave the ball to it
     }
     command = act(then, plan_, 0);
     command.wheels[0] = guard_goal(setup(), then, then.own[0]);
-    if (must_kick_off(now)) command.wheels[1] = kick_off(setup(), then.own[1]);
+    if (kicks_off) command.wheels[1] = kick_off(setup(), then.own[1]);
     keep_laws(setup(), then, command);
     spare_keeper(setup(), then, command);
     if (must_take_kick(now, spot_)) {
